@@ -13,9 +13,7 @@
 
 namespace chaindrive
 {
-ReducedBodies::ReducedBodies(const scene::Scene &scene,
-                             const World        &world,
-                             const unsigned int  group)
+ReducedBodies::ReducedBodies(const scene::Scene &scene, World &world, const unsigned int group)
     : ModalGroup(group)
     , material_(scene.material)
     , elements_(scene.elements)
@@ -23,7 +21,7 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
     , rigid_(n_rigid_entries * n_lanes)
     , moment_(3 * n_lanes)
 {
-  const BodyBatches      &copies = world.copies[group_];
+  BodyBatches            &copies = world.copies[group_];
   const scene::PartOf     of     = scene.bodies[copies.bodies.front()].part();
   const reduction::Basis &basis  = *scene.bases.at(of);
   reference_.resize(3 * copies.n_nodes());
@@ -38,6 +36,7 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene,
   rigid_motions_ = reduction::rigid_motions(*copies.part, copies.nodes);
   for (Numbers *numbers : {&amplitude_, &rate_, &acceleration_, &modal_force_})
     numbers->resize(copies.n_batches() * per_batch(), 0.);
+  copies.modes = {n_modes(), amplitude_.data(), farthest_.data()};
   in_body_.resize(node_offset(node_.size()));
   found_.resize(n_touching_);
   if (const auto measures = scene.measures.find(of); measures != scene.measures.end())

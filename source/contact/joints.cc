@@ -230,8 +230,9 @@ void JointBatch::Exact::Coupled::need(const unsigned int row)
   wall->at(strips->unknown[a], first - strips->direction[a], column, m / n_rings, number);
   for (unsigned int i = 0; i < m; ++i)
     number[i] = -number[i];
+  const float *const of_strip = strips->flexibility->row(strips->unknown[a]);
   for (unsigned int b = 0; b < k; ++b)
-    number[m + b] = strips->flexibility->at(strips->unknown[a], strips->unknown[b]);
+    number[m + b] = of_strip[strips->unknown[b]];
 }
 
 double JointBatch::take_strips(const int lane, const unsigned int n)
@@ -372,10 +373,14 @@ const dealii::AlignedVector<double> &JointBatch::measure_gaps()
   return gap_;
 }
 
-void JointBatch::choose_columns(const double reach, const double margin)
+void JointBatch::choose_columns(const double reach, const double margin, const double use)
 {
   for (std::size_t i = 0; i < wanted_.size(); ++i)
-    wanted_[i] = at_least_[i] < reach + margin ? 1 : 0;
+    {
+      const int lane = static_cast<int>(i % n_lanes);
+      at_least_[i] -= used(lane) + use;
+      wanted_[i] = at_least_[i] < reach + margin + deflection_[lane] ? 1 : 0;
+    }
   for (int lane = 0; lane < n_lanes; ++lane)
     complete_wanted(lane);
 }
@@ -435,14 +440,16 @@ JointBatch::search(const double reach, const std::optional<double> unforeseen, c
   for (int lane = 0; lane < n_lanes; ++lane)
     if (arguments_.master_position[lane] != nullptr)
       {
-        missed += search_lane(lane, reach + margin);
-        bound_gaps(lane, reach + margin);
+        const double near_gap = reach + margin + deflection_[lane];
+        missed += search_lane(lane, near_gap);
+        bound_gaps(lane, near_gap);
         fastest = std::max(fastest, closing_[lane]);
       }
   fresh_         = true;
   searched_cell_ = cell_;
   if (exact_)
     exact_->new_windows = true;
+  reach_.fill(unforeseen ? 0. : reach);
   cadence_.restart(unforeseen ? holding_time(reach, fastest, *unforeseen) : reach);
   return missed;
 }
@@ -537,11 +544,7 @@ void JointBatch::add_forces(const double dt, const double use)
   else
     kernels_.add_forces(arguments_);
   if (!fresh_)
-    {
-      cadence_.use(use);
-      for (double &least : at_least_)
-        least -= use;
-    }
+    cadence_.use(use);
   fresh_ = false;
 }
 
@@ -552,6 +555,8 @@ void JointBatch::serialize(const int lane, const Archive &archive)
   archive.numbers("cells", cell_.data() + lane, cell_.size() / n_lanes, n_lanes);
   archive.numbers("searched cells", searched_cell_.data() + lane, cell_.size() / n_lanes, n_lanes);
   archive.numbers("at least", at_least_.data() + lane, at_least_.size() / n_lanes, n_lanes);
+  archive("reach", reach_[lane]);
+  archive("deflection", deflection_[lane]);
   archive("first", window_.first[lane]);
   archive("count", window_.count[lane]);
   archive("cell", window_.cell[lane]);

@@ -21,17 +21,6 @@ namespace chaindrive::contact
 {
 namespace
 {
-constexpr double least_reach = 8e-6; // m
-
-/// How far [m] a search looks: larger, and searches were fewer but windows wider. Steps of elements
-/// have many to a search either way; at those of reduced bodies, which are longer, a search is to
-/// hold for some, even if gaps close with the speed @p unforeseen [m/s].
-double search_reach(const double dt, const double unforeseen)
-{
-  constexpr double steps = 10.;
-  return std::max(least_reach, steps * unforeseen * dt);
-}
-
 JointBody body_at(BodyBatches                     &copies,
                   const unsigned int               copy,
                   const std::size_t                first,
@@ -258,8 +247,15 @@ NodeBores::NodeBores(const scene::Scene      &scene,
         side.read.resize(n_batches_of(pairs.size()));
       group.half_length =
           std::max(std::abs(cylinder.rings.front()), std::abs(cylinder.rings.back()));
-      group.by_distance = masters.counts_readers() && slaves.counts_readers();
+      group.by_distance   = masters.counts_readers() && slaves.counts_readers();
+      std::size_t n_modes = 0; // of both sides
+      if (group.by_distance)
+        for (const BodyBatches *copies : {&masters, &slaves})
+          n_modes += scene.bases.at(scene.bodies[copies->bodies.front()].part())->size();
       group.use.resize(n_batches_of(pairs.size()), 0.);
+      group.due.resize(n_batches_of(pairs.size()), 1);
+      group.searched_stance.resize(pairs.size());
+      group.searched_amplitude.resize(pairs.size(), std::vector<double>(n_modes, 0.));
       groups_.push_back(std::move(group));
       Group &placed = groups_.back();
       for (unsigned int i = 0; i < pairs.size(); ++i)
@@ -282,110 +278,6 @@ NodeBores::NodeBores(const scene::Scene      &scene,
                              slave,
                              placed.slave_nodes,
                              placed.ghost_nodes[slaves.batch_of(slave)]));
-        }
-    }
-}
-
-void NodeBores::announce(World &world, const std::optional<double> dt)
-{
-  for (Group &group : groups_)
-    for (unsigned int b = 0; b < group.batches.size(); ++b)
-      if (!dt)
-        announce_joints(world, group, b, every_step_ ? Readers::search : Readers::forces);
-      else
-        {
-          group.use[b] = group.by_distance ? moved(world, group, b, least_reach) : *dt;
-          if (every_step_ || group.batches[b]->search_due(group.use[b]))
-            {
-              if (group.by_distance && !every_step_)
-                {
-                  const auto [reach, margin] = reach_by_distance(group, b);
-                  group.batches[b]->choose_columns(reach, margin);
-                }
-              announce_joints(world, group, b, Readers::search);
-            }
-        }
-}
-
-NodeBores::Stance NodeBores::stance(const World &world, const unsigned int pair) const
-{
-  const scene::BorePair &p    = pairs_[pair];
-  const Frame           &bore = world.frames[p.master], &cylinder = world.frames[p.slave.body];
-  const auto             x = axis_of(bore, 0), along = axis_of(cylinder, 0);
-  const auto             in_cylinder = dealii::transpose(cylinder.rotation);
-  return {dealii::Tensor<1, 3>(p.slave.point) +
-              in_cylinder * (cylinder.position - bore.position -
-                             bore.rotation * dealii::Tensor<1, 3>(p.axis)),
-          in_cylinder * axis_of(bore, 2),
-          along * x,
-          along * axis_of(bore, 1)};
-}
-
-double
-NodeBores::moved(const World &world, const Group &group, const unsigned int b, const double reach)
-{
-  const JointGrid &grid = group.batches[b]->grid();
-  const double     columns =
-      std::max(grid.master_circumferential, grid.slave_circumferential) / dealii::numbers::PI;
-  double most = 0.;
-  for (std::size_t i = b * n_lanes;
-       i < std::min<std::size_t>((b + 1) * n_lanes, group.pairs.size());
-       ++i)
-    {
-      const unsigned int pair = group.pairs[i];
-      const Stance       now = stance(world, pair), &before = stances_[pair];
-      double             sum = (now.offset - before.offset).norm() +
-                   group.half_length * (now.axis - before.axis).norm() +
-                   reach * columns * std::hypot(now.cosine - before.cosine, now.sine - before.sine);
-      for (const Group::Side &side : group.sides)
-        sum += world.copies[side.group].moved_by_modes[side.copy[i]];
-      most           = std::max(most, sum);
-      stances_[pair] = now;
-    }
-  return most;
-}
-
-void NodeBores::announce_joints(World             &world,
-                                Group             &group,
-                                const unsigned int b,
-                                const Readers      readers) const
-{
-  const JointBatch &batch = *group.batches[b];
-  const JointGrid  &grid  = batch.grid();
-  for (unsigned int is_slave = 0; is_slave < 2; ++is_slave)
-    {
-      Group::Side &side   = group.sides[is_slave];
-      BodyBatches &copies = world.copies[side.group];
-      if (!copies.counts_readers())
-        continue;
-      std::map<unsigned int, std::vector<char>> columns; // of batches of bodies
-      for (unsigned int i = b * n_lanes;
-           i < std::min<std::size_t>((b + 1) * n_lanes, side.copy.size());
-           ++i)
-        {
-          std::vector<char> &near = columns[copies.batch_of(side.copy[i])];
-          near.resize(side.n_columns, 0);
-          if (readers == Readers::search)
-            batch.mark_wanted(i % n_lanes, is_slave != 0, near);
-          else
-            batch.mark_circumferential(i % n_lanes, is_slave != 0, near);
-        }
-      for (auto &[bodies, nodes] : side.read[b])
-        copies.add_readers(bodies, nodes, -1);
-      side.read[b].clear();
-      for (const auto &[bodies, near] : columns)
-        {
-          std::vector<unsigned int> &nodes = side.read[b][bodies];
-          // the axis of a bore is that of its ends
-          const std::size_t last  = side.node.size() - side.n_columns; // ring
-          const std::size_t first = is_slave != 0 ? grid.first_ring * side.n_columns : 0,
-                            end = is_slave != 0 ? grid.end_ring * side.n_columns : side.node.size();
-          for (std::size_t n = first; n < end; ++n)
-            if (near[n % side.n_columns] != 0 ||
-                (is_slave == 0 && (n < side.n_columns || n >= last) &&
-                 n % side.n_columns % grid.axis_stride == 0))
-              nodes.push_back(side.node[n]);
-          copies.add_readers(bodies, nodes, 1);
         }
     }
 }
@@ -436,32 +328,6 @@ void NodeBores::couple_lanes(const World &world, Group &group, const unsigned in
     }
 }
 
-double NodeBores::margin_of(const Group &group)
-{
-  // Without a penalty forces deflect surfaces beside where bodies and modes have moved them; teeth
-  // do so through the walls of rollers.
-  return !group.flexibility ? 0. : group.coupled.empty() ? 1e-6 : 1e-5;
-}
-
-std::pair<double, double> NodeBores::reach_by_distance(const Group &group, const unsigned int b)
-{
-  const double step = group.use[b]; // by which a search may come late, a little more or less
-  return {std::max(least_reach, 4. * step), margin_of(group) + 2. * step};
-}
-
-void NodeBores::search(Group &group, const unsigned int b, const double dt, const double unforeseen)
-{
-  JointBatch &batch = *group.batches[b];
-  if (group.by_distance && !every_step_)
-    {
-      const auto [reach, margin] = reach_by_distance(group, b);
-      n_missed_ += batch.search(reach, {}, margin);
-    }
-  else
-    n_missed_ +=
-        batch.search(every_step_ ? 0. : search_reach(dt, unforeseen), unforeseen, margin_of(group));
-}
-
 void NodeBores::add_forces(World &world, const double dt)
 {
   const double unforeseen = unforeseen_speed(world);
@@ -469,9 +335,9 @@ void NodeBores::add_forces(World &world, const double dt)
     for (unsigned int b = 0; b < group.batches.size(); ++b)
       {
         JointBatch &batch = *group.batches[b];
-        if (every_step_ || batch.search_due(group.use[b]))
+        if (group.due[b] != 0)
           {
-            search(group, b, dt, unforeseen);
+            search(world, group, b, dt, unforeseen);
             announce_joints(world, group, b, every_step_ ? Readers::search : Readers::forces);
           }
         if (!group.coupled.empty())
@@ -519,6 +385,8 @@ void NodeBores::serialize(const Archive &archive, const unsigned int rank)
         const Archive      own  = archive.of_this_rank() / ("joint " + std::to_string(pair));
         group.batches[i / n_lanes]->serialize(i % n_lanes, own);
         own("stance", stances_[pair]);
+        own("searched stance", group.searched_stance[i]);
+        own.numbers("searched amplitudes", group.searched_amplitude[i]);
       }
 }
 

@@ -20,7 +20,9 @@ using dealii::numbers::PI;
 
 // m: beyond what overlaps, and as much again as the deepest does, gaps are listed that forces may
 // close. What closes gaps is the bush, through the wall: less than the tooth's own force deflects.
-constexpr double margin        = 3e-6;
+constexpr double margin = 3e-6;
+// m: where a roller touches, beyond four times what forces close
+constexpr double beside        = 1.5e-6;
 constexpr double strip_sagitta = 1e-6; // m: more than points of a strip lie off its middle's circle
 constexpr double near_centre   = 0.05; // over the radius: no modes let a circle so far away touch
 
@@ -48,27 +50,6 @@ struct CoveredRings
   double                    all = 0.;
 };
 
-/// @p direction turned by a right angle about the @p axis, both unit vectors.
-dealii::Tensor<1, 3> turned(const dealii::Tensor<1, 3> &axis, const dealii::Tensor<1, 3> &direction)
-{
-  return dealii::cross_product_3d(axis, direction);
-}
-
-/// A normal force that has been found, and whose energy has been booked.
-struct KnownForce
-{
-  double force; ///< N
-  double rate = 0.;
-
-  double penetration() const { return force; }
-
-  void book(const scene::ContactLaw &,
-            const TouchState &,
-            const TouchState &,
-            ContactEnergies<double> &) const
-  {
-  }
-};
 } // namespace
 
 RollerStrips::RollerStrips(const scene::Scene       &scene,
@@ -109,11 +90,7 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
       copy_.push_back(world.elastic_address[slave.body].copy);
     }
   for (Roller &roller : rollers_)
-    {
-      roller.problem.flexibility = flexibility_.get();
-      roller.force.assign(flexibility_->n(), 0.);
-      roller.strips.resize(flexibility_->grid().size());
-    }
+    roller.problem.flexibility = flexibility_.get();
 
   law_.damping = law_.tangential_damping = 0.;
   friction_                              = {1., 0., law_.friction, teeth.sticking_stiffness, 0.};
@@ -122,6 +99,7 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
   for (const unsigned int r : rings.number)
     for (unsigned int c = 0; c < outside_.n_columns; ++c)
       node_.push_back(outside_.node[r * outside_.n_columns + c]);
+  load_of_.assign(node_.size(), no_load);
   half_angle_                    = teeth.half_angle;
   half_line_                     = teeth.half_line;
   largest_force_                 = teeth.largest_force;
@@ -152,7 +130,7 @@ void RollerStrips::search(const World &world, const double search_reach)
     if (!within_reach(i))
       {
         rollers_[i].problem.clear();
-        std::fill(rollers_[i].force.begin(), rollers_[i].force.end(), 0.);
+        rollers_[i].touching.clear();
       }
 }
 
@@ -247,126 +225,171 @@ std::vector<ClosedWindow> RollerStrips::closed_windows() const
   return {window};
 }
 
-void RollerStrips::lay_strips(const World &world, const unsigned int i, const double reach)
+RollerStrips::GapFrame RollerStrips::frame_of_gap(const World &world, const unsigned int i) const
 {
-  Roller      &roller = rollers_[i];
   const Frame &frame = world.frames[pairs_[i].slave.body], &hub = world.frames[flanks_->body()];
-  const unsigned int n      = outside_.n_columns;
-  const auto         centre = dealii::transpose(hub.rotation) * (frame.position - hub.position);
-  const auto        &turn =
-      (form_->shifted.empty() ? form_->rotations : form_->shifted)[roller.touch.feature];
-  // the centre in the frame of gap 0, and back
-  dealii::Tensor<1, 2> in_gap;
-  in_gap[0]           = turn[0] * centre[0] + turn[1] * centre[1];
-  in_gap[1]           = turn[0] * centre[1] - turn[1] * centre[0];
-  const auto in_world = [&](const dealii::Tensor<1, 2> &v) {
-    dealii::Tensor<1, 3> in_hub;
-    in_hub[0] = turn[0] * v[0] - turn[1] * v[1];
-    in_hub[1] = turn[1] * v[0] + turn[0] * v[1];
-    return hub.rotation * in_hub;
-  };
-  const auto   to_roller = dealii::transpose(frame.rotation);
-  const double turned_by = std::atan2(frame.rotation[1][0], frame.rotation[0][0]);
-  const double near      = radius_ + reach + strip_sagitta;
-  for (unsigned int s = 0; s < roller.strips.size(); ++s)
+  const auto  &turn =
+      (form_->shifted.empty() ? form_->rotations : form_->shifted)[rollers_[i].touch.feature];
+  const dealii::Tensor<1, 3> x({turn[0], turn[1], 0.}), y({-turn[1], turn[0], 0.});
+  const dealii::Tensor<1, 3> arm = frame.position - hub.position;
+  GapFrame                   gap;
+  gap.x      = hub.rotation * x;
+  gap.y      = hub.rotation * y;
+  gap.z      = axis_of(hub, 2);
+  gap.centre = dealii::Tensor<1, 2>({arm * gap.x, arm * gap.y});
+  for (unsigned int d = 0; d < 2; ++d)
     {
-      const ToothStrips::Strip  &place = profile_.strips()[s];
-      Strip                     &strip = roller.strips[s];
-      const dealii::Tensor<1, 2> arm   = place.middle - in_gap;
-      if (arm.norm_square() > near * near)
-        {
-          strip.gap = std::numeric_limits<double>::max();
-          continue;
-        }
-      dealii::Tensor<1, 2> mean;
-      strip.gap = -radius_;
-      for (const dealii::Tensor<1, 2> &point : place.gauss)
-        {
-          const dealii::Tensor<1, 2> to_point = point - in_gap;
-          const double               distance = to_point.norm();
-          strip.gap += 0.5 * distance;
-          mean += 0.5 / distance * to_point;
-        }
-      if (strip.gap > reach)
-        continue;
-      strip.distance     = arm.norm();
-      strip.direction    = in_world(arm / strip.distance);
-      strip.mean         = in_world(mean);
-      const auto   local = to_roller * strip.direction;
-      const double angle = std::atan2(local[1], local[0]);
-      strip.angle        = angle + turned_by;
-      const Columns columns(angle, n);
-      strip.column = columns.number;
-      strip.weight = columns.weight;
-      strip.slope  = columns.slope;
+      const dealii::Tensor<1, 3> &axis = d == 0 ? gap.x : gap.y;
+      gap.in_roller[d] = dealii::Tensor<1, 2>({axis * axis_of(frame, 0), axis * axis_of(frame, 1)});
     }
+  gap.turned_by = std::atan2(frame.rotation[1][0], frame.rotation[0][0]);
+  return gap;
 }
 
 double RollerStrips::find_displacements(const World &world, const unsigned int i)
 {
   const Frame               &frame   = world.frames[pairs_[i].slave.body];
+  const GapFrame            &gap     = rollers_[i].frame;
   const BodyBatches         &copies  = world.copies[group_];
   const NodeView             at      = NodeView(copies.position);
   const unsigned int         n_rings = flexibility_->n_rings(), n = outside_.n_columns;
-  const dealii::Tensor<1, 3> z    = axis_of(world.frames[flanks_->body()], 2);
-  dealii::Tensor<1, 3>       tilt = axis_of(frame, 2); // of a ring's centre per length of axis
-  tilt -= (tilt * z) * z;
-  const std::size_t first = first_number(world, i);
+  const dealii::Tensor<1, 3> axis = axis_of(frame, 2),
+                             x    = dealii::transpose(frame.rotation) * gap.x,
+                             y    = dealii::transpose(frame.rotation) * gap.y;
+  const std::size_t first         = first_number(world, i);
   displacement_.resize(std::size_t(n_rings) * n);
   double largest = 0.;
   for (unsigned int r = 0; r < n_rings; ++r)
-    for (unsigned int c = 0; c < n; ++c)
-      {
-        const unsigned int         number = node_[r * n + c];
-        const dealii::Tensor<1, 3> rigid =
-            frame.position + frame.rotation * dealii::Tensor<1, 3>(copies.nodes.position[number]);
-        displacement_[r * n + c] = at[first + node_offset(number)] - rigid +
-                                   outside_.rings[flexibility_->rings()[r]] * tilt;
-        largest = std::max(largest, displacement_[r * n + c].norm_square());
-      }
+    {
+      // what is rigid, and the way of the ring's centre for a tilted axis
+      const double               z = outside_.rings[flexibility_->rings()[r]];
+      const dealii::Tensor<1, 2> tilt({z * (axis * gap.x), z * (axis * gap.y)});
+      for (unsigned int c = 0; c < n; ++c)
+        {
+          const unsigned int         number = node_[r * n + c];
+          const dealii::Tensor<1, 3> arm    = at[first + node_offset(number)] - frame.position,
+                                     rest(copies.nodes.position[number]);
+          dealii::Tensor<1, 2> &u = displacement_[c * n_rings + r];
+          u[0]                    = arm * gap.x - rest * x + tilt[0];
+          u[1]                    = arm * gap.y - rest * y + tilt[1];
+          largest                 = std::max(largest, u.norm_square());
+        }
+    }
   return std::sqrt(largest);
 }
 
-void RollerStrips::list_unknowns(const World &world, const unsigned int i, const double reach)
+void RollerStrips::find_near(const Roller &roller, const double reach)
 {
-  Roller                    &roller  = rollers_[i];
-  StripProblem              &problem = roller.problem;
-  const dealii::Tensor<1, 3> z       = axis_of(world.frames[flanks_->body()], 2);
-  const unsigned int         n_rings = flexibility_->n_rings(), n = outside_.n_columns;
-  roller.turning.clear();
-  candidates_.clear();
-  for (unsigned int s = 0; s < roller.strips.size(); ++s)
+  const std::vector<ToothStrips::Strip> &places = profile_.strips();
+  const dealii::Tensor<1, 2>             centre = roller.frame.centre;
+  const double                           far    = radius_ + reach + strip_sagitta;
+  near_strips_.clear();
+  for (unsigned int s = 0; s < places.size(); ++s)
     {
-      const Strip &strip = roller.strips[s];
-      if (strip.gap > reach)
+      if ((places[s].middle - centre).norm_square() > far * far)
         continue;
-      const dealii::Tensor<1, 3> round = turned(z, strip.direction);
-      for (unsigned int r = 0; r < n_rings; ++r)
+      NearStrip strip{s, -radius_, {}, not_laid};
+      for (const dealii::Tensor<1, 2> &point : places[s].gauss)
         {
-          dealii::Tensor<1, 3> moved, more;
-          for (unsigned int k = 0; k < n_weights; ++k)
-            {
-              const dealii::Tensor<1, 3> &u = displacement_[r * n + strip.column[k]];
-              moved += strip.weight[k] * u;
-              more += strip.slope[k] * u;
-            }
-          candidates_.push_back({s * n_rings + r,
-                                 strip.angle,
-                                 strip.gap - moved * strip.direction,
-                                 more * strip.direction + moved * round});
+          const dealii::Tensor<1, 2> to_point = point - centre;
+          const double               distance = to_point.norm();
+          strip.gap += 0.5 * distance;
+          strip.mean += 0.5 / distance * to_point;
         }
+      if (strip.gap <= reach)
+        near_strips_.push_back(strip);
     }
-  double penetration = 0.;
-  for (const Candidate &candidate : candidates_)
-    penetration = std::max(penetration, -candidate.gap);
-  for (const Candidate &candidate : candidates_)
-    if (candidate.gap < margin + 2. * penetration)
+}
+
+void RollerStrips::lay(Roller &roller, NearStrip &near) const
+{
+  if (near.laid != not_laid)
+    return;
+  const GapFrame            &frame     = roller.frame;
+  const dealii::Tensor<1, 2> arm       = profile_.strips()[near.number].middle - frame.centre;
+  const double               distance  = arm.norm();
+  const dealii::Tensor<1, 2> e         = arm / distance,
+                             in_roller = e[0] * frame.in_roller[0] + e[1] * frame.in_roller[1];
+  const double  angle                  = std::atan2(in_roller[1], in_roller[0]);
+  const Columns columns(angle, outside_.n_columns);
+  near.laid = static_cast<unsigned int>(roller.strips.size());
+  roller.strips.push_back({near.gap,
+                           distance,
+                           e,
+                           angle + frame.turned_by,
+                           near.mean,
+                           columns.number,
+                           columns.weight,
+                           columns.slope});
+}
+
+RollerStrips::Candidate
+RollerStrips::candidate(const Roller &roller, const NearStrip &near, const unsigned int ring) const
+{
+  const Strip               &strip   = roller.strips[near.laid];
+  const unsigned int         n_rings = flexibility_->n_rings();
+  const dealii::Tensor<1, 2> e       = strip.direction;
+  dealii::Tensor<1, 2>       moved, more;
+  for (unsigned int k = 0; k < n_weights; ++k)
+    {
+      const dealii::Tensor<1, 2> &u = displacement_[strip.column[k] * n_rings + ring];
+      moved += strip.weight[k] * u;
+      more += strip.slope[k] * u;
+    }
+  return {near.number * n_rings + ring,
+          near.laid,
+          strip.gap - moved * e,
+          more * e + moved[1] * e[0] - moved[0] * e[1]};
+}
+
+void RollerStrips::list_unknowns(Roller &roller, const double by_modes, const double overlap)
+{
+  StripProblem      &problem = roller.problem;
+  const unsigned int n_rings = flexibility_->n_rings();
+
+  // what touched last, and by how much forces close gaps there that modes leave
+  bool   touched = false;
+  double closed  = 0.;
+  auto   found   = near_strips_.begin();
+  for (const Touching &last : roller.touching)
+    {
+      while (found != near_strips_.end() && found->number < last.unknown / n_rings)
+        ++found;
+      if (found == near_strips_.end())
+        break;
+      if (found->number != last.unknown / n_rings)
+        continue;
+      lay(roller, *found);
+      touched = true;
+      closed  = std::max(closed, candidate(roller, *found, last.unknown % n_rings).gap);
+    }
+
+  const double by_forces   = touched ? beside + 4. * closed : margin + 2. * overlap;
+  double       penetration = 0.;
+  candidates_.clear();
+  for (NearStrip &near : near_strips_)
+    if (near.laid != not_laid || near.gap <= by_modes + by_forces)
       {
+        lay(roller, near);
+        for (unsigned int r = 0; r < n_rings; ++r)
+          {
+            candidates_.push_back(candidate(roller, near, r));
+            penetration = std::max(penetration, -candidates_.back().gap);
+          }
+      }
+  const double near = touched ? by_forces : margin + 2. * penetration;
+  auto         last = roller.touching.begin();
+  for (const Candidate &candidate : candidates_)
+    if (candidate.gap < near)
+      {
+        while (last != roller.touching.end() && last->unknown < candidate.unknown)
+          ++last;
+        const bool again = last != roller.touching.end() && last->unknown == candidate.unknown;
         problem.unknown.push_back(candidate.unknown);
-        problem.direction.push_back(candidate.direction);
+        problem.direction.push_back(roller.strips[candidate.strip].angle);
         problem.gap.push_back(candidate.gap);
-        problem.force.push_back(roller.force[candidate.unknown]);
-        roller.turning.push_back(candidate.turning);
+        problem.force.push_back(again ? last->force : 0.);
+        roller.unknowns.push_back({candidate.strip, candidate.turning});
       }
 }
 
@@ -374,6 +397,8 @@ void RollerStrips::measure(const World &world, const unsigned int i)
 {
   Roller &roller = rollers_[i];
   roller.problem.clear();
+  roller.strips.clear();
+  roller.unknowns.clear();
   const Frame &frame = world.frames[pairs_[i].slave.body];
   // a sphere that overlaps has a normal
   const double        beyond = 4. * radius_;
@@ -384,155 +409,20 @@ void RollerStrips::measure(const World &world, const unsigned int i)
                                             std::numeric_limits<double>::max();
   if (records_[i].gap > near_centre * radius_)
     return;
+  roller.frame = frame_of_gap(world, i);
   // how near modes bring strips, between nodes a little nearer than these; and the deepest overlap
   const double by_modes = 1.25 * find_displacements(world, i),
-               reach    = by_modes + margin + 2. * std::max(0., by_modes - records_[i].gap);
+               overlap  = std::max(0., by_modes - records_[i].gap);
   if (records_[i].gap > by_modes + margin)
     return;
-  lay_strips(world, i, reach);
-  list_unknowns(world, i, reach);
+  find_near(roller, by_modes + margin + 2. * overlap);
+  list_unknowns(roller, by_modes, overlap);
 }
 
 void RollerStrips::add_forces(World &world, const double /*dt*/)
 {
   for (const unsigned int i : own_)
     measure(world, i);
-}
-
-RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
-{
-  Roller                    &roller  = rollers_[i];
-  const StripProblem        &problem = roller.problem;
-  const unsigned int         body = pairs_[i].slave.body, hub = flanks_->body();
-  const unsigned int         n_rings = flexibility_->n_rings();
-  const dealii::Tensor<1, 3> z       = axis_of(world.frames[hub], 2),
-                             centre  = world.frames[body].position;
-  const std::size_t first            = first_number(world, i);
-  Pressed           pressed;
-  double            through_wall = 0.; // couple on the bush
-  loads_.clear();
-  std::fill(roller.force.begin(), roller.force.end(), 0.);
-  for (unsigned int a = 0; a < problem.n(); ++a)
-    if (problem.force[a] > 0.)
-      {
-        const Strip        &strip = roller.strips[problem.unknown[a] / n_rings];
-        const double        force = problem.force[a];
-        const unsigned int *ring  = &node_[problem.unknown[a] % n_rings * outside_.n_columns];
-        roller.force[problem.unknown[a]] = force;
-        pressed.sum += force;
-        pressed.deepest = std::max(pressed.deepest, -problem.gap[a]);
-        // by a turn of the strip about the centre
-        const double of_modes = -force * roller.turning[a], of_wall = problem.couple[a];
-        pressed.couple -= of_modes;
-        through_wall -= of_wall;
-        pressed.force -=
-            force * strip.mean + (of_modes + of_wall) / strip.distance * turned(z, strip.direction);
-        for (unsigned int k = 0; k < n_weights; ++k)
-          loads_.push_back({first + node_offset(ring[strip.column[k]]),
-                            strip.weight[k] * force,
-                            strip.direction});
-      }
-  if (!(pressed.sum > 0.))
-    return pressed;
-
-  const BodyBatches   &copies = world.copies[group_];
-  const NodeView       at     = NodeView(copies.position);
-  const NodeView       force_on(world.copies[group_].force);
-  char *const          is_pressed = world.copies[group_].pressed(copies.batch_of(copy_[i]));
-  dealii::Tensor<1, 3> of_nodes; // the couple of what acts on them
-  for (const Load &load : loads_)
-    {
-      if (is_pressed != nullptr)
-        is_pressed[(load.node - first) / numbers_per_node] = 1;
-      const dealii::Tensor<1, 3> f = -load.force * load.direction;
-      force_on.add(load.node, f);
-      of_nodes += dealii::cross_product_3d(at[load.node] - centre, f);
-    }
-  const double         too_much = of_nodes * z - pressed.couple;
-  dealii::Tensor<1, 3> on_hub   = -of_nodes + too_much * z - through_wall * z;
-  world.add_force(hub, -pressed.force, centre);
-  for (unsigned int d = 0; d < 3; ++d)
-    {
-      world.force.local_element(3 * body + d) += pressed.force[d];
-      world.moment.local_element(3 * body + d) -= too_much * z[d];
-      world.moment.local_element(3 * hub + d) += on_hub[d];
-      world.moment.local_element(3 * problem.bush + d) += through_wall * z[d];
-    }
-  return pressed;
-}
-
-void RollerStrips::add_friction(World             &world,
-                                const double       dt,
-                                const unsigned int i,
-                                Pressed           &pressed)
-{
-  if (!(pressed.sum > 0. || states_[i].normal > 0.))
-    return;
-  const BodyBatches         &copies = world.copies[group_];
-  const NodeView             at = NodeView(copies.position), velocity = NodeView(copies.velocity);
-  const unsigned int         body = pairs_[i].slave.body, hub = flanks_->body();
-  const dealii::Tensor<1, 3> z            = axis_of(world.frames[hub], 2);
-  double                     slip_rate[2] = {0., 0.};
-  for (const Load &load : loads_)
-    {
-      dealii::Tensor<1, 3> v =
-          velocity[load.node] - world.velocity_at(hub, at[load.node], 0.5 * dt);
-      world.symmetry.cancel_across(v); // the other half slips to the other side
-      slip_rate[0] -= load.force / pressed.sum * (v * turned(z, load.direction));
-      slip_rate[1] += load.force / pressed.sum * (v * z);
-    }
-  ContactEnergies<double> energies{
-      world.ledger.contact, world.ledger.contact_damping, world.ledger.friction};
-  TouchState &state = states_[i];
-  update_touch(
-      friction_, KnownForce{pressed.sum}, slip_rate, dt, friction_.friction > 0., state, energies);
-  world.ledger.contact  = energies.stored;
-  world.ledger.friction = energies.friction_loss;
-  if (!(pressed.sum > 0.) || !(friction_.friction > 0.))
-    return;
-  const NodeView       force_on(world.copies[group_].force);
-  dealii::Tensor<1, 3> sum;
-  for (const Load &load : loads_)
-    {
-      const dealii::Tensor<1, 3> f =
-          load.force / pressed.sum *
-          (state.tangential[1] * z - state.tangential[0] * turned(z, load.direction));
-      force_on.add(load.node, f);
-      world.add_force(hub, -f, at[load.node]);
-      sum += f;
-    }
-  for (unsigned int d = 0; d < 3; ++d)
-    world.force.local_element(3 * body + d) += sum[d];
-  pressed.force += sum;
-}
-
-void RollerStrips::finish_forces(World &world, const double dt)
-{
-  for (const unsigned int i : own_)
-    {
-      Record                    &record  = records_[i];
-      Pressed                    pressed = press(world, i);
-      const dealii::Tensor<1, 3> normal  = pressed.force;
-      add_friction(world, dt, i, pressed);
-      record.force  = world.symmetry.whole_force(pressed.force);
-      most_pressed_ = std::max(most_pressed_, record.force.norm() / largest_force_);
-      if (!(pressed.sum > 0.))
-        {
-          // strips that do not touch are at least as far away as nothing; round it might overlap
-          const std::vector<double> &gaps = rollers_[i].problem.gap;
-          record.gap =
-              std::max(0., gaps.empty() ? record.gap : *std::min_element(gaps.begin(), gaps.end()));
-          continue;
-        }
-      // how bodies have been placed, before they deflect
-      record.gap     = dt == 0. ? -pressed.deepest : 0.;
-      record.feature = rollers_[i].touch.feature;
-      record.normal  = normal / normal.norm();
-      record.normal_speed =
-          -(world.frames[record.slave].velocity -
-            world.velocity_at(flanks_->body(), world.frames[record.slave].position, 0.5 * dt)) *
-          record.normal;
-    }
 }
 
 void RollerStrips::raise_pressures(std::vector<double> &largest) const
@@ -559,16 +449,17 @@ void RollerStrips::add_pressures(const World & /*world*/,
   const unsigned int n_rings = flexibility_->n_rings(), n = outside_.n_columns;
   const double       width = 2. * PI * radius_ / n;
   for (const unsigned int i : own_)
-    for (unsigned int a = 0; a < flexibility_->n(); ++a)
-      if (const double force = rollers_[i].force[a]; force > 0.)
-        {
-          const Strip       &strip = rollers_[i].strips[a / n_rings];
-          const unsigned int ring  = a % n_rings;
-          for (unsigned int k = 0; k < n_weights; ++k)
-            pressures.push_back({records_[i].slave,
-                                 node_[ring * n + strip.column[k]],
-                                 strip.weight[k] * force / (width * length_[ring])});
-        }
+    for (const Touching &touching : rollers_[i].touching)
+      {
+        if (touching.strip == not_laid)
+          continue; // just restored
+        const Strip       &strip = rollers_[i].strips[touching.strip];
+        const unsigned int ring  = touching.unknown % n_rings;
+        for (unsigned int k = 0; k < n_weights; ++k)
+          pressures.push_back({records_[i].slave,
+                               node_[ring * n + strip.column[k]],
+                               strip.weight[k] * touching.force / (width * length_[ring])});
+      }
 }
 
 void RollerStrips::serialize(const Archive &archive, const unsigned int rank)
@@ -581,6 +472,16 @@ void RollerStrips::serialize(const Archive &archive, const unsigned int rank)
 void RollerStrips::serialize_pair(const unsigned int i, const Archive &archive)
 {
   SurfaceContact::serialize_pair(i, archive);
-  archive.numbers("strips", rollers_[i].force);
+  std::vector<Touching> &touching = rollers_[i].touching;
+  std::vector<double>    force(flexibility_->n(), 0.);
+  for (const Touching &t : touching)
+    force[t.unknown] = t.force;
+  archive.numbers("strips", force);
+  if (!archive.reads())
+    return;
+  touching.clear();
+  for (unsigned int a = 0; a < force.size(); ++a)
+    if (force[a] > 0.)
+      touching.push_back({a, not_laid, force[a]});
 }
 } // namespace chaindrive::contact

@@ -143,8 +143,9 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
                                    const std::vector<double>         &lengths,
                                    const Material                    &material,
                                    const Tooth                       &tooth)
-    : grid_(grid), rings_(rings), value_(std::size_t(n()) * n(), 0.)
+    : grid_(grid), rings_(rings)
 {
+  value_.assign(std::size_t(n()) * n(), 0.);
   if (rings.empty() || rings.size() != lengths.size())
     throw std::logic_error("StripFlexibility: a ring without a length");
   const unsigned int        n_columns = outside.n_columns, m = n_rings(), all = outside.n_rings();
@@ -187,6 +188,8 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
   for (unsigned int i = 0; i < n(); ++i) // strips above are as those below, rings of one as well
     for (unsigned int j = 0; j < i; ++j)
       value_[std::size_t(j) * n() + i] = value_[std::size_t(i) * n() + j];
+  number_.assign(value_.begin(), value_.end());
+  value_ = {};
 }
 
 void StripFlexibility::add_tooth(const Tooth               &tooth,
@@ -228,33 +231,27 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility          &out
       if (found == widths.end())
         widths.push_back(w);
     }
-  const unsigned int half = n_turn_ / 2;
-  table_.reserve(widths.size() * (n_turn_ + 1) * n_in_row());
+  const unsigned int half = n_turn_ / 2; // the other half of a turn is alike
+  table_.reserve(widths.size() * n_rows() * n_in_row());
+  std::vector<double> of_places(n_places_);
   for (const double w : widths)
-    {
-      const std::size_t of_width = table_.size();
-      for (unsigned int a = 0; a <= half; ++a)
-        for (const unsigned int r : rings)
-          {
-            const std::size_t first = table_.size();
-            table_.resize(first + n_places_, 0.);
-            for (unsigned int k = 0; k <= n_columns / 2; ++k)
-              {
-                const double part = mean_over_strip(k, w) * std::cos(k * PI * a / half);
-                for (unsigned int q = 0; q < n_places_; ++q)
-                  {
-                    const JointFlexibility::Place &place = places[q];
-                    const double                  *of_ring =
-                        &harmonics[k * all + std::size_t(r) * n_bore + place.first];
-                    table_[first + q] +=
-                        part * ((1. - place.part) * of_ring[0] + place.part * of_ring[1]);
-                  }
-              }
-          }
-      for (unsigned int a = half; a-- > 0;) // the other half of a turn is alike
-        for (unsigned int i = 0; i < n_in_row(); ++i)
-          table_.push_back(table_[of_width + std::size_t(a) * n_in_row() + i]);
-    }
+    for (unsigned int a = 0; a <= half; ++a)
+      for (const unsigned int r : rings)
+        {
+          std::fill(of_places.begin(), of_places.end(), 0.);
+          for (unsigned int k = 0; k <= n_columns / 2; ++k)
+            {
+              const double part = mean_over_strip(k, w) * std::cos(k * PI * a / half);
+              for (unsigned int q = 0; q < n_places_; ++q)
+                {
+                  const JointFlexibility::Place &place = places[q];
+                  const double                  *of_ring =
+                      &harmonics[k * all + std::size_t(r) * n_bore + place.first];
+                  of_places[q] += part * ((1. - place.part) * of_ring[0] + place.part * of_ring[1]);
+                }
+            }
+          table_.insert(table_.end(), of_places.begin(), of_places.end());
+        }
 }
 
 inline double WallFlexibility::row_of(const double angle) const
@@ -265,20 +262,21 @@ inline double WallFlexibility::row_of(const double angle) const
 
 inline WallFlexibility::Place WallFlexibility::place_of(const double row) const
 {
-  const auto before = std::min(static_cast<unsigned int>(row), n_turn_ - 1);
-  return {before, row - before};
+  const double half = 0.5 * n_turn_, folded = row > half ? n_turn_ - row : row;
+  const auto   before = std::min(static_cast<unsigned int>(folded), n_turn_ / 2 - 1);
+  return {before, folded - before, row > half ? -1. : 1.};
 }
 
-inline const double *WallFlexibility::table_of(const unsigned int strip) const
+inline const float *WallFlexibility::table_of(const unsigned int strip) const
 {
-  return &table_[std::size_t(width_[strip]) * (n_turn_ + 1) * n_in_row()];
+  return &table_[std::size_t(width_[strip]) * n_rows() * n_in_row()];
 }
 
 void WallFlexibility::at(const unsigned int strip, const double angle, double *value) const
 {
   const Place        place = place_of(row_of(angle));
   const unsigned int n     = n_in_row();
-  const double      *from  = table_of(strip) + std::size_t(place.row) * n;
+  const float       *from  = table_of(strip) + std::size_t(place.row) * n;
   const double       rest  = 1. - place.part;
   for (unsigned int i = 0; i < n; ++i)
     value[i] = rest * from[i] + place.part * from[n + i];
@@ -291,14 +289,14 @@ void WallFlexibility::at(const unsigned int i,
                          double            *value) const
 {
   const unsigned int m = n_places_, stride = n_in_row();
-  const double      *table = table_of(i / n_rings_) + std::size_t(i % n_rings_) * m;
+  const float       *table = table_of(i / n_rings_) + std::size_t(i % n_rings_) * m;
   const double       rows = step / (2. * PI) * n_turn_, all = n_turn_, first = row_of(angle);
   double             row = first;
   for (unsigned int k = 0; k < n; ++k, value += m)
     {
-      const Place   place = place_of(row);
-      const double *from  = table + std::size_t(place.row) * stride;
-      const double  rest  = 1. - place.part;
+      const Place  place = place_of(row);
+      const float *from  = table + std::size_t(place.row) * stride;
+      const double rest  = 1. - place.part;
       for (unsigned int q = 0; q < m; ++q)
         value[q] = rest * from[q] + place.part * from[stride + q];
       row = first + (k + 1) * rows;
@@ -309,9 +307,9 @@ void WallFlexibility::at(const unsigned int i,
 
 double WallFlexibility::slope(const unsigned int i, const double angle, const unsigned int q) const
 {
-  const Place   place = place_of(row_of(angle));
-  const double *row   = table_of(i / n_rings_) + std::size_t(place.row) * n_in_row() +
-                      std::size_t(i % n_rings_) * n_places_ + q;
-  return (row[n_in_row()] - row[0]) * n_turn_ / (2. * PI);
+  const Place  place = place_of(row_of(angle));
+  const float *row   = table_of(i / n_rings_) + std::size_t(place.row) * n_in_row() +
+                     std::size_t(i % n_rings_) * n_places_ + q;
+  return place.sign * (double(row[n_in_row()]) - row[0]) * n_turn_ / (2. * PI);
 }
 } // namespace chaindrive::contact

@@ -105,7 +105,7 @@ int main()
       if (all.joints.search_due(moved))
         {
           const double margin = 2. * moved;
-          chosen.joints.choose_columns(reach, margin);
+          chosen.joints.choose_columns(reach, margin, moved);
           n_read += chosen.hide_others();
           n_missed += all.joints.search(reach, {}, margin);
           n_missed += chosen.joints.search(reach, {}, margin);

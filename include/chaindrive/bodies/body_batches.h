@@ -206,6 +206,23 @@ public:
   /// in the last drift, m.
   std::vector<double> moved_by_modes;
 
+  /// Of reduced bodies, what their modes do: numbers of others, which are where the last drift has
+  /// left them.
+  struct Modes
+  {
+    unsigned int  n         = 0;
+    const double *amplitude = nullptr; ///< [batch][mode][lane], m sqrt(kg)
+    const double *farthest  = nullptr; ///< [mode], the most that it moves a node that touches
+                                       ///< something, 1/sqrt(kg)
+
+    /// The amplitude of @p mode of the body in @p lane of @p batch.
+    double of(const unsigned int batch, const unsigned int mode, const unsigned int lane) const
+    {
+      return amplitude[(std::size_t(batch) * n + mode) * n_lanes + lane];
+    }
+  };
+  Modes modes;
+
   /// By how much positions are ahead of the present instant, s: they have moved on from it with the
   /// velocities.
   double ahead = 0.;

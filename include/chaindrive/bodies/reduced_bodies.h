@@ -35,7 +35,7 @@ class ReducedBodies : public ModalGroup, public SurfaceGroup
 {
 public:
   /// Moves the nodes of @p world's copies number @p group, which are of the basis in @p scene.
-  ReducedBodies(const scene::Scene &scene, const World &world, unsigned int group);
+  ReducedBodies(const scene::Scene &scene, World &world, unsigned int group);
 
   void kick(World &world, double h) override;
   void drift(World &world, const Step &step) override;

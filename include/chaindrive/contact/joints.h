@@ -83,21 +83,33 @@ public:
 
   void set_joint(int lane, const JointBody &master, const JointBody &slave);
 
+  /// From now on searches look by so much [m] farther in @p lane: for what forces deflect there
+  /// beside where bodies and modes have moved surfaces.
+  void   set_deflection(int lane, double deflection) { deflection_[lane] = deflection; }
+  double deflection(int lane) const { return deflection_[lane]; }
+
   /// Makes the windows anew, of what is nearer than a @p reach [m], not negative, and a @p margin
-  /// [m] for what forces deflect. It holds until surfaces may have come nearer by the reach, with 0
-  /// for no step: with @p unforeseen [m/s], positive, for a time, see holding_time(); without it
-  /// for this distance. Returns how many slave nodes overlap that the windows before have let
-  /// alone, if forces were added with them later than at once: there must be none.
+  /// [m]. It holds until surfaces may have come nearer by the reach, with 0 for no step: with @p
+  /// unforeseen [m/s], positive, for a time, see holding_time(); without it for this distance.
+  /// Returns how many slave nodes overlap that the windows before have let alone, if forces were
+  /// added with them later than at once: there must be none.
   unsigned int search(double reach, std::optional<double> unforeseen, double margin = 0.);
 
   /// Of a search by distance: it measures those columns alone that may have come nearer than what
   /// it looks for since they have been measured. Others are known to be farther away. To be called
-  /// before the search() with the same @p reach and @p margin, which is 8 um at least; without it
-  /// that measures all of them.
-  void choose_columns(double reach, double margin);
+  /// before the search() with the same @p reach and @p margin, and the @p use that add_forces() is
+  /// going to have; without it that measures all of them.
+  void choose_columns(double reach, double margin, double use);
 
   /// Whether search() must come before the next add_forces() with @p use.
   bool search_due(double use) const { return cadence_.is_due(use); }
+
+  /// Of the last search, if by distance: how far it looked in @p lane, m; 0 before there was one.
+  double reach(int lane) const { return reach_[lane]; }
+
+  /// After a search by distance: it holds for @p stock [m], the next add_forces() included. Steps
+  /// forth and back have been counted twice, and surfaces are not as much nearer as has been used.
+  void renew(double stock) { cadence_.extend(stock); }
 
   /// Adds the contact forces to both sides of each joint. @p dt is the time since the last call
   /// [s], 0 at the first one; @p use what the search has held for since then, time or distance.
@@ -153,6 +165,9 @@ public:
 private:
   static constexpr double let_alone = 16e-6; ///< m: by which columns may come nearer unmeasured
 
+  /// By how much surfaces may have come nearer since the last search, by distance, m.
+  double used(int lane) const { return reach_[lane] - cadence_.stock(); }
+
   /// Measures the gaps of columns that are wanted, and if @p closing their fastest approach.
   void measure(bool closing);
 
@@ -193,7 +208,9 @@ private:
   std::vector<unsigned int>     ring_, cell_;
   std::vector<unsigned int>     searched_cell_; ///< cell_ at the last search
   std::vector<char>             wanted_;        ///< [column][lane], of the slaves
-  std::vector<double>           at_least_;      ///< [column][lane], gaps of all rings, m
+  std::vector<double>           at_least_;      ///< [column][lane], gaps at the last search, m
+  std::array<double, n_lanes>   reach_{};       ///< of the last search, if by distance, m
+  std::array<double, n_lanes>   deflection_{};  ///< m
   std::array<double, n_lanes>   closing_{};
   SearchCadence                 cadence_; ///< s
 

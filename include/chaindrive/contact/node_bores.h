@@ -69,6 +69,14 @@ private:
                          std::vector<unsigned int>>;
   static Kinds kinds_of(const scene::BoreFamily &scene, const World &world);
 
+  /// How the bore stands about the cylinder, in the axes of the cylinder's body.
+  struct Stance
+  {
+    dealii::Tensor<1, 3> offset;       ///< from the middle of its axis to that of the cylinder, m
+    dealii::Tensor<1, 3> axis;         ///< of the bore
+    double               cosine, sine; ///< of the turn about it
+  };
+
   /// Pairs whose two sides are the same surfaces of the same parts.
   struct Group
   {
@@ -106,30 +114,43 @@ private:
     bool                by_distance = false;
     double              half_length = 0.; ///< of the cylinder, m
     std::vector<double> use; ///< [batch]: of what a search holds for, since the last forces
-  };
+    std::vector<char>   due; ///< [batch]: a search must come before the next forces
 
-  /// How the bore stands about the cylinder, in the axes of the cylinder's body.
-  struct Stance
-  {
-    dealii::Tensor<1, 3> offset;       ///< from the middle of its axis to that of the cylinder, m
-    dealii::Tensor<1, 3> axis;         ///< of the bore
-    double               cosine, sine; ///< of the turn about it
+    /// At the last search by distance of each pair: how it stood, and the amplitudes of both sides.
+    std::vector<Stance>              searched_stance;
+    std::vector<std::vector<double>> searched_amplitude;
   };
 
   Stance stance(const World &world, unsigned int pair) const;
 
-  /// Without a penalty, how far beyond its reach a search looks [m].
-  static double margin_of(const Group &group);
+  /// One beyond the last pair of a group in the batch of joints number @p b.
+  static std::size_t end_of_lanes(const Group &group, unsigned int b);
+
+  /// By how much surfaces come nearer to each other where a bore goes from one place about its
+  /// cylinder to another, both being rigid [m]. Half a column's way along each other counts as @p
+  /// reach [m].
+  static double moved(const Group &group, const Stance &from, const Stance &to, double reach);
+
+  /// Tells the batch of joints number @p b the margins of its lanes. Returns whether one is larger
+  /// than that of the last search.
+  bool set_margins(Group &group, unsigned int b) const;
 
   /// Reach and margin [m] of a search by distance of the batch of joints number @p b, now.
   static std::pair<double, double> reach_by_distance(const Group &group, unsigned int b);
 
   /// Makes the windows of the batch of joints number @p b anew.
-  void search(Group &group, unsigned int b, double dt, double unforeseen);
+  void search(const World &world, Group &group, unsigned int b, double dt, double unforeseen);
 
   /// By how much surfaces of the batch of joints number @p b may have come nearer to each other
   /// since the last call [m]. Half a column's way along each other counts as @p reach [m].
   double moved(const World &world, const Group &group, unsigned int b, double reach);
+
+  /// What is left of the reach of the last search of the batch of joints number @p b, steps forth
+  /// and back not having been counted twice [m].
+  double left(const World &world, const Group &group, unsigned int b) const;
+
+  /// Remembers how the joints of the batch number @p b stand, for left().
+  void remember(const World &world, Group &group, unsigned int b) const;
 
   /// Tells the batch of joints number @p b which strips are to be solved with it.
   void couple_lanes(const World &world, Group &group, unsigned int b);

@@ -71,34 +71,72 @@ protected:
   bool within_reach(unsigned int i) const override;
 
 private:
-  static constexpr unsigned int n_weights = 4;
+  static constexpr unsigned int n_weights = 4, no_load = static_cast<unsigned int>(-1),
+                                not_laid = no_load;
 
-  /// Where a strip is now, seen from the centre of a roller.
+  /// The frame of the gap that a roller is in, and the roller in it.
+  struct GapFrame
+  {
+    dealii::Tensor<1, 3>                x, y, z;   ///< its axes, z that of the sprocket; unit
+    dealii::Tensor<1, 2>                centre;    ///< of the roller, m
+    std::array<dealii::Tensor<1, 2>, 2> in_roller; ///< x and y, across the roller's axis
+    double                              turned_by; ///< the roller, in the world, rad
+
+    dealii::Tensor<1, 3> in_world(const dealii::Tensor<1, 2> &v) const
+    {
+      return v[0] * x + v[1] * y;
+    }
+  };
+
+  /// Where a strip is now, seen from the centre of a roller; vectors are those of GapFrame.
   struct Strip
   {
     double                              gap;           ///< of a round roller, m
     double                              distance;      ///< of its middle, m
-    dealii::Tensor<1, 3>                direction;     ///< of that, unit
+    dealii::Tensor<1, 2>                direction;     ///< of that, unit
     double                              angle;         ///< of that, in the world, rad
-    dealii::Tensor<1, 3>                mean;          ///< of the directions of its points
+    dealii::Tensor<1, 2>                mean;          ///< of the directions of its points
     std::array<unsigned int, n_weights> column;        ///< of nodes
     std::array<double, n_weights>       weight, slope; ///< and by how much more per radian
+  };
+
+  /// A strip near a roller.
+  struct NearStrip
+  {
+    unsigned int         number;
+    double               gap;  ///< as in Strip
+    dealii::Tensor<1, 2> mean; ///< as in Strip
+    unsigned int         laid; ///< its number among the Strips of the roller, or not_laid
   };
 
   /// A strip and ring that may touch.
   struct Candidate
   {
-    unsigned int unknown;
-    double       direction, gap; ///< as in StripProblem
+    unsigned int unknown, strip; ///< as in StripProblem; among those of the roller
+    double       gap;            ///< as in StripProblem
     double       turning;        ///< by how much modes move it per radian, m
   };
 
-  /// Part of the force on a strip, as a node carries it.
+  /// What else than StripProblem has of an unknown: as in Candidate.
+  struct Unknown
+  {
+    unsigned int strip;
+    double       turning;
+  };
+
+  /// A strip and ring with a force.
+  struct Touching
+  {
+    unsigned int unknown, strip; ///< as in Candidate
+    double       force;          ///< N
+  };
+
+  /// The forces on strips, as a node carries its parts of them.
   struct Load
   {
-    std::size_t          node;
-    double               force;     ///< N
-    dealii::Tensor<1, 3> direction; ///< of the strip
+    unsigned int         place = 0;  ///< of the node, [ring][column]
+    double               force = 0.; ///< their sum, N
+    dealii::Tensor<1, 2> normal;     ///< their resultant, towards the strips, in the GapFrame, N
   };
 
   /// What presses a roller.
@@ -111,11 +149,12 @@ private:
 
   struct Roller
   {
-    StripProblem        problem;
-    std::vector<double> force;   ///< of all strips and rings, N: what touched last
-    std::vector<Strip>  strips;  ///< of the gap that its centre is nearest to
-    std::vector<double> turning; ///< of each unknown, by how much modes move it per radian, m
-    Touch               touch;   ///< of its centre
+    StripProblem          problem;
+    std::vector<Strip>    strips;   ///< near it, of the gap that its centre is nearest to
+    std::vector<Unknown>  unknowns; ///< of the problem
+    std::vector<Touching> touching; ///< what touched last, ascending
+    Touch                 touch;    ///< of its centre
+    GapFrame              frame;    ///< of that gap
   };
 
   void find_own(unsigned int rank);
@@ -123,15 +162,27 @@ private:
   /// The strips of pair @p i and their gaps, if it is near enough.
   void measure(const World &world, unsigned int i);
 
+  /// The frame of the gap that the centre of pair @p i is nearest to.
+  GapFrame frame_of_gap(const World &world, unsigned int i) const;
+
   /// By how much modes and tilt move the outside of pair @p i, into displacement_; the most, m.
   double find_displacements(const World &world, unsigned int i);
 
-  /// Lays the strips of the gap that the centre of pair @p i is nearest to; of those farther than
-  /// @p reach [m] from the round roller nothing but their gaps.
-  void lay_strips(const World &world, unsigned int i, double reach);
+  /// The strips within a @p reach [m] of a round @p roller, into near_strips_.
+  void find_near(const Roller &roller, double reach);
 
-  /// Lists those that may touch with their gaps.
-  void list_unknowns(const World &world, unsigned int i, double reach);
+  /// Adds a strip to those of a @p roller, unless it is there.
+  void lay(Roller &roller, NearStrip &near) const;
+
+  /// The gap of a ring of a strip that has been laid.
+  Candidate candidate(const Roller &roller, const NearStrip &near, unsigned int ring) const;
+
+  /// Lists those of near_strips_ that may touch a @p roller: modes move its outside by @p by_modes
+  /// at most, and the round roller overlaps by @p overlap, m.
+  void list_unknowns(Roller &roller, double by_modes, double overlap);
+
+  /// Shares out the @p force on a strip to nodes of a @p ring, in loads_.
+  void carry(const Strip &strip, unsigned int ring, double force);
 
   /// Adds the normal forces of pair @p i, and lists them in loads_.
   Pressed press(World &world, unsigned int i);
@@ -160,9 +211,11 @@ private:
   std::vector<unsigned int>               own_;           ///< those near that this rank evaluates
   std::vector<unsigned int>               read_;          ///< those announced last
   std::vector<Roller>                     rollers_;
-  std::vector<dealii::Tensor<1, 3>>       displacement_; ///< room, [ring][column], m
+  std::vector<dealii::Tensor<1, 2>>       displacement_; ///< room, [column][ring], m
+  std::vector<NearStrip>                  near_strips_;  ///< room
   std::vector<Candidate>                  candidates_;   ///< room
   std::vector<Load>                       loads_;        ///< on the roller at hand
+  std::vector<unsigned int>               load_of_;      ///< [ring][column], numbers, or no_load
   std::vector<unsigned int>               node_;         ///< of their outside, [ring][column]
   std::vector<double>                     length_;       ///< that each of these rings stands for, m
   double                                  half_angle_;   ///< of the largest contact in a seat, rad

@@ -52,6 +52,11 @@ public:
     left_alone_ = true;
   }
 
+  double stock() const { return stock_; }
+
+  /// More, or less, is left than has been counted.
+  void extend(const double stock) { stock_ = stock; }
+
   /// Whether forces have been evaluated without a search since the last one: a penetration that is
   /// found then, where there was a gap, has been missed.
   bool left_alone() const { return left_alone_; }

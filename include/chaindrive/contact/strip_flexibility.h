@@ -56,10 +56,10 @@ public:
   unsigned int n() const { return grid_.size() * n_rings(); }
 
   /// Of strip i / n_rings(), ring i % n_rings(), and of j the same, m/N.
-  double at(const unsigned int i, const unsigned int j) const
-  {
-    return value_[std::size_t(i) * n() + j];
-  }
+  double at(const unsigned int i, const unsigned int j) const { return row(i)[j]; }
+
+  /// The same of all j. Seven digits are more than is known of them, and half as much to read.
+  const float *row(const unsigned int i) const { return &number_[std::size_t(i) * n()]; }
 
 private:
   // The constructor adds to pairs of strips the first of which is not below the second one.
@@ -76,7 +76,8 @@ private:
 
   StripGrid                 grid_;
   std::vector<unsigned int> rings_;
-  std::vector<double>       value_; ///< [strip][ring] twice
+  std::vector<double>       value_;  ///< [strip][ring] twice, while it is being built
+  std::vector<float>        number_; ///< the same from then on
 };
 
 /// By how much the outside of a roller in strips and its bore at nodes of a bush in it deflect each
@@ -111,16 +112,18 @@ private:
   {
     unsigned int row;
     double       part;
+    double       sign; ///< -1 in the other half of a turn, where rows descend
   };
   double row_of(double angle) const; ///< from 0 to n_turn_, with what is left to the next
   Place  place_of(double row) const;
 
   /// The rows for one strip, each n_in_row() long.
-  const double *table_of(unsigned int strip) const;
-  unsigned int  n_in_row() const { return n_rings_ * n_places_; }
+  const float *table_of(unsigned int strip) const;
+  unsigned int n_rows() const { return n_turn_ / 2 + 1; }
+  unsigned int n_in_row() const { return n_rings_ * n_places_; }
 
   unsigned int              n_rings_, n_places_, n_turn_; ///< n_turn_: rows of a turn
   std::vector<unsigned int> width_;                       ///< of each strip, number of its table
-  std::vector<double>       table_; ///< [width][angle from 0 to 2 pi][ring][place]
+  std::vector<float>        table_; ///< [width][angle from 0 to pi][ring][place], as row() above
 };
 } // namespace chaindrive::contact
