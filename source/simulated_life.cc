@@ -69,7 +69,12 @@ void add_wear(files::Json             &values,
   const double       time = values["window_energy"]["duration"];
   if (!work.is_number() || !std::isfinite(work.get<double>()) || !(time > 0.))
     return;
-  const double rate = life.joints.rate_of_losses(work.get<double>() / (strands * time), mu);
+  // of separate strands the one that pulls most rubs most
+  double share = 1. / strands;
+  if (values.contains("strands") && values["strands"]["uneven"].is_number() &&
+      std::isfinite(values["strands"]["uneven"].get<double>()))
+    share *= values["strands"]["uneven"].get<double>();
+  const double rate = life.joints.rate_of_losses(share * work.get<double>() / time, mu);
   values["life"]["simulated_wear_rate"] = rate;
   if (!(rate > 0.))
     return;

@@ -161,6 +161,8 @@ def separate_strands(summary: dict[str, Any]) -> list[tuple[str, str]]:
     if "strands" not in summary:
         return []
     pulls = [summary["statistics"][f"strand_{number + 1}_tension"]["mean"] for number in range(len(summary["strands"]["z"]))]
+    if None in pulls:  # nothing fell into the window
+        return []
     uneven = summary["strands"]["uneven"]
     return [("separate strands", "tight span pulled with " + ", ".join(quantity(pull, "N") for pull in pulls)
              + (f", at most {number(uneven, 4)} times the mean" if uneven else "")
