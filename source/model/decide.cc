@@ -367,11 +367,21 @@ Decision oval_rollers(const Parameters &p, const Decision &planar)
         effect, false, "fidelity " + p.model.fidelity + ": a roller is one lump with its links"};
   if (!has_rollers(p))
     return {effect, false, no_rollers};
+  if (p.effects.roller_bush_clearance == Switch::off)
+    return {effect, false, "a bush that fits its roller keeps it round"};
   if (p.effects.oval_rollers != Switch::on)
     return {effect,
             false,
             p.effects.oval_rollers == Switch::off ? switched(Switch::off, "Effects") :
                                                     "auto: rigid rollers stay round"};
+  // the contact of an oval of about the size of the clearance has two places, not one
+  const drive::ChainDimensions chain = drive::make_chain(p.drive.chain);
+  if (chain.roller_clearance() < 0.0005 * chain.roller_diameter)
+    return {effect,
+            false,
+            "bushes have a radial clearance of " + to_text(1e6 * chain.roller_clearance(), 3) +
+                " um in rollers, less than " + to_text(500. * chain.roller_diameter, 3) +
+                " um, a thousandth of their radius, and keep them round"};
   return {effect,
           planar.on,
           planar.on ? switched(Switch::on, "Effects") : "not planar: " + planar.reason};

@@ -43,6 +43,8 @@ def main():
     refused({"Model/Fidelity": "full"}, "elastic")
     refused({"Effects/Planar motion": "off"}, "not planar")
     refused({"Drive/Chain/Rollers": "off"}, "no rollers")
+    refused({"Effects/Roller-bush clearance": "off"}, "keeps it round")
+    refused({"Drive/Chain/Bush diameter in mm": 7.43, "Drive/Chain/Roller bore in mm": 7.435}, "2.5 um")
 
 
 if __name__ == "__main__":
