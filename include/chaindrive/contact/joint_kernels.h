@@ -100,22 +100,26 @@ struct GapArguments
 };
 
 /// Nodes of joints whose normal forces are found for all nodes of a joint together, without a
-/// penalty. Arrays of numbers are [place of the column in the window][one of the rings][lane],
-/// aligned to 64 bytes, for as many places as the largest window has.
+/// penalty. Each lane visits nodes of its window in an order of its own. Arrays of numbers are
+/// [visit][lane], aligned to 64 bytes.
 struct WindowNodes
 {
+  static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
   unsigned int        n_rings;
-  const unsigned int *ring;  ///< slave rings
-  double             *gap;   ///< m; a metre where a lane has no such node
-  const double       *force; ///< normal forces, N
-  char               *known; ///< which nodes these are in the bodies, JointKernels::known_room():
-                             ///< zeros where the window is new, otherwise what was left there
-  char *met;                 ///< room for what measure_window() finds and press() reads again, see
-                             ///< JointKernels::room(); bodies must not move in between
+  const unsigned int *ring;     ///< slave rings
+  unsigned int        n_visits; ///< there may be more in the order
+  const unsigned int *order;    ///< nodes: place of the column in the window times n_rings plus the
+                                ///< number among the rings; none where a lane has no more
+  double       *gap;            ///< m; a metre where there is none
+  const double *force;          ///< normal forces, N
+  char         *known; ///< which nodes these are in the bodies, JointKernels::known_room():
+                       ///< zeros where the window is new, otherwise what was left there
+  char *met;           ///< room for what measure_window() finds and press() reads again, see
+                       ///< JointKernels::room(); bodies must not move in between
 
   unsigned int        n_pressed;
-  const unsigned int *pressed; ///< nodes that have a force in any lane or had one before: place
-                               ///< times n_rings plus the number among the rings
+  const unsigned int *pressed; ///< visits of nodes that have a force in any lane or had one before
 };
 
 /// The kernels of one instruction set.
@@ -126,11 +130,11 @@ struct JointKernels
   void (*add_forces)(const JointArguments &);
   /// Geometry alone, for slave nodes of each lane, whatever the window.
   void (*measure)(const JointArguments &, GapArguments &);
-  /// Gaps of the slave nodes of each lane's window.
+  /// Gaps of the slave nodes that each lane visits.
   void (*measure_window)(const JointArguments &, const WindowNodes &);
-  /// Bytes of WindowNodes::met and of WindowNodes::known for so many nodes in each lane's window.
-  std::size_t (*room)(std::size_t n_nodes);
-  std::size_t (*known_room)(std::size_t n_nodes);
+  /// Bytes of WindowNodes::met and of WindowNodes::known for so many visits.
+  std::size_t (*room)(std::size_t n_visits);
+  std::size_t (*known_room)(std::size_t n_visits);
   /// After measure_window(), adds the normal forces to both sides of each lane, with friction. What
   /// a node remembers as its penetration is its normal force.
   void (*press)(const JointArguments &, const WindowNodes &);

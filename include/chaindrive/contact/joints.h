@@ -193,6 +193,13 @@ private:
   /// what is stored for these, J.
   double take_strips(int lane, unsigned int n);
 
+  /// Without penalty: the order in which lanes visit the nodes of their windows, those first that
+  /// have been nearest to the bore at the last search.
+  void order_visits();
+
+  /// Without penalty: how many of these visits come near enough for forces in this step.
+  unsigned int n_visits() const;
+
   /// Makes the set of @p lane those nodes of its window that remember a penetration.
   void recall_touching(int lane);
 
@@ -211,6 +218,7 @@ private:
   std::vector<double>           at_least_;      ///< [column][lane], gaps at the last search, m
   std::array<double, n_lanes>   reach_{};       ///< of the last search, if by distance, m
   std::array<double, n_lanes>   deflection_{};  ///< m
+  double                        use_ = 0.;      ///< of the forces that are being added
   std::array<double, n_lanes>   closing_{};
   SearchCadence                 cadence_; ///< s
 
@@ -225,7 +233,10 @@ private:
     std::array<ClosedSet, n_lanes> sets;               ///< of nodes [place in the window][ring]
     bool                           new_windows = true; ///< which the sets do not refer to
     dealii::AlignedVector<char>    known;              ///< of WindowNodes
-    std::vector<char>              is_pressed;         ///< nodes of any lane, see WindowNodes
+    std::vector<unsigned int>      order;              ///< see WindowNodes
+    std::vector<unsigned int>      visit_of;           ///< [node of the window][lane]
+    std::vector<double>            nearest;            ///< [visit]: gap at the search, any lane, m
+    std::vector<char>              is_pressed;         ///< visits
     std::vector<unsigned int>      pressed;
 
     /// Joint and strips of a lane, and the rows of their matrix that close: a few of a hundred.

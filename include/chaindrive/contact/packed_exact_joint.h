@@ -15,36 +15,6 @@ inline unsigned int column_of(const JointArguments &arg, const int lane, const u
   return column < n ? column : column - n;
 }
 
-/// The slave node of ring @p s that is @p place columns after the first of the windows, and where
-/// it meets the bore. Returns false if no lane has it.
-template <int width>
-CHAINDRIVE_ALWAYS_INLINE bool visit_window(const JointArguments &arg,
-                                           const int             lane,
-                                           const Joints<width>  &joints,
-                                           const unsigned int    s,
-                                           const unsigned int    place,
-                                           unsigned int (&index)[width],
-                                           bool (&active)[width],
-                                           Meeting<width> &m)
-{
-  const JointGrid   &grid   = *arg.grid;
-  const JointWindow &window = *arg.window;
-  unsigned int       column[width];
-  bool               any = false;
-  for (int l = 0; l < width; ++l)
-    {
-      column[l] = column_of(arg, lane + l, place);
-      active[l] = joints.present[l] && place < window.count[lane + l];
-      any |= active[l];
-      index[l] = s * grid.slave_circumferential + column[l];
-    }
-  if (!any)
-    return false;
-  take_slave(joints, index, m);
-  meet_and_remember(arg, lane, joints, s, column, active, m);
-  return true;
-}
-
 /// What measure_window() finds: the frames of the bores in front, then one meeting for each node;
 /// lanes after lanes.
 template <int width>
@@ -76,9 +46,11 @@ struct alignas(64) Known
 {
   double       counts[width];   ///< 1 in lanes that have the node, 0 in others
   double       along[2][width]; ///< as meet_again() wants them
+  double       area[width];     ///< m2
   unsigned int slave[width];    ///< offset
   unsigned int node[4][width];  ///< as in Meeting
-  unsigned int cell_at[width], cell[width], ring[width];
+  unsigned int state_at[width]; ///< where what the node remembers begins
+  unsigned int cell_at[width], cell[width], ring_at[width], ring[width];
   unsigned int state; ///< 0: not known; 1: in some lane there is a node; 2: in none
   bool         active[width];
 };
@@ -96,32 +68,56 @@ known_of(const WindowNodes &nodes, const int lane, const unsigned int node)
   return reinterpret_cast<Known<width> *>(nodes.known)[node * (n_lanes / width) + lane / width];
 }
 
-/// Visits a node in the way of visit_window() and notes what it finds.
+/// Makes visit number @p visit of the windows and notes what it finds. Returns false if no lane has
+/// a node for it.
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE bool visit_anew(const JointArguments &arg,
+                                         const WindowNodes    &nodes,
                                          const int             lane,
                                          const Joints<width>  &joints,
-                                         const unsigned int    s,
-                                         const unsigned int    place,
+                                         const unsigned int    visit,
                                          Known<width>         &known,
                                          Meeting<width>       &m)
 {
-  unsigned int index[width];
-  known.state = visit_window(arg, lane, joints, s, place, index, known.active, m) ? 1 : 2;
-  if (known.state == 2)
-    return false;
   constexpr double   nowhere = 1e300;
-  const unsigned int first   = s * arg.grid->slave_circumferential;
+  const JointGrid   &grid    = *arg.grid;
+  const unsigned int n       = grid.slave_circumferential;
+  unsigned int       index[width], cell[width], ring[width];
+  bool               any = false;
   for (int l = 0; l < width; ++l)
     {
+      const unsigned int node = nodes.order[visit * n_lanes + lane + l];
+      known.active[l]         = joints.present[l] && node != WindowNodes::none;
+      any |= known.active[l];
+      const unsigned int at     = known.active[l] ? node : 0,
+                         column = column_of(arg, lane + l, at / nodes.n_rings),
+                         s      = nodes.ring[at % nodes.n_rings];
+      index[l]                  = s * n + column;
+      known.area[l]             = grid.area[s];
+      known.state_at[l]         = index[l] * n_touch_entries * n_lanes + lane + l;
+      known.cell_at[l]          = column * n_lanes + lane + l;
+      known.ring_at[l]          = s * n_lanes + lane + l;
+      cell[l]                   = arg.cell[known.cell_at[l]];
+      ring[l]                   = arg.ring[known.ring_at[l]];
+    }
+  known.state = any ? 1 : 2;
+  if (!any)
+    return false;
+  take_slave(joints, index, m);
+  meet(grid, joints, cell, ring, m);
+  for (int l = 0; l < width; ++l)
+    {
+      if (known.active[l]) // where others are, which are not announced, nobody knows
+        {
+          arg.cell[known.cell_at[l]] = cell[l];
+          arg.ring[known.ring_at[l]] = ring[l];
+        }
       known.counts[l]   = known.active[l] ? 1. : 0.;
       known.slave[l]    = joints.slave_node[l][index[l]];
-      known.cell_at[l]  = (index[l] - first) * n_lanes + lane + l;
       known.cell[l]     = arg.cell[known.cell_at[l]];
-      known.ring[l]     = arg.ring[s * n_lanes + lane + l];
+      known.ring[l]     = arg.ring[known.ring_at[l]];
       known.along[0][l] = known.ring[l] == 0 ? -nowhere : -side_tolerance;
-      known.along[1][l] =
-          known.ring[l] + 2 == arg.grid->master_rings ? nowhere : 1. + side_tolerance;
+      known.along[1][l] = known.ring[l] + 2 == grid.master_rings ? nowhere : 1. + side_tolerance;
       for (int q = 0; q < 4; ++q)
         known.node[q][l] = m.node[q][l];
     }
@@ -132,9 +128,7 @@ CHAINDRIVE_ALWAYS_INLINE bool visit_anew(const JointArguments &arg,
 /// visit_anew() must find it out.
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE bool visit_again(const JointArguments &arg,
-                                          const int             lane,
                                           const Joints<width>  &joints,
-                                          const unsigned int    s,
                                           const Known<width>   &known,
                                           Meeting<width>       &m)
 {
@@ -143,7 +137,7 @@ CHAINDRIVE_ALWAYS_INLINE bool visit_again(const JointArguments &arg,
   for (int l = 0; l < width; ++l)
     {
       differs |= known.active[l] && (arg.cell[known.cell_at[l]] != known.cell[l] ||
-                                     arg.ring[s * n_lanes + lane + l] != known.ring[l]);
+                                     arg.ring[known.ring_at[l]] != known.ring[l]);
       m.slave[l] = joints.slave_position[l] + known.slave[l];
       for (int q = 0; q < 4; ++q)
         m.node[q][l] = known.node[q][l];
@@ -158,22 +152,10 @@ CHAINDRIVE_ALWAYS_INLINE bool visit_again(const JointArguments &arg,
   for (int l = 0; l < width && differs; ++l)
     if (known.active[l])
       {
-        arg.cell[known.cell_at[l]]       = known.cell[l];
-        arg.ring[s * n_lanes + lane + l] = known.ring[l];
+        arg.cell[known.cell_at[l]] = known.cell[l];
+        arg.ring[known.ring_at[l]] = known.ring[l];
       }
   return true;
-}
-
-/// The largest window of the lanes from @p lane on.
-template <int width>
-CHAINDRIVE_ALWAYS_INLINE unsigned int
-largest_window(const JointArguments &arg, const int lane, const Joints<width> &joints)
-{
-  unsigned int visits = 0;
-  for (int l = 0; l < width; ++l)
-    if (joints.present[l] && arg.window->count[lane + l] > visits)
-      visits = arg.window->count[lane + l];
-  return visits;
 }
 
 template <int width>
@@ -182,27 +164,23 @@ void measure_window_of(const JointArguments &arg, const WindowNodes &nodes, cons
   Joints<width> &joints = joints_of<width>(nodes, lane);
   if (!take_lanes(arg, lane, joints))
     return;
-  const unsigned int visits = largest_window(arg, lane, joints);
-  if (visits == 0)
+  if (nodes.n_visits == 0)
     return;
   find_frame(*arg.grid, joints);
 #pragma GCC unroll 1
-  for (unsigned int place = 0; place < visits; ++place)
-#pragma GCC unroll 1
-    for (unsigned int k = 0; k < nodes.n_rings; ++k)
-      {
-        const unsigned int node  = place * nodes.n_rings + k;
-        Known<width>      &known = known_of<width>(nodes, lane, node);
-        Meeting<width>    &met   = met_of<width>(nodes, lane, node);
-        if (known.state == 2)
+  for (unsigned int visit = 0; visit < nodes.n_visits; ++visit)
+    {
+      Known<width>   &known = known_of<width>(nodes, lane, visit);
+      Meeting<width> &met   = met_of<width>(nodes, lane, visit);
+      if (known.state == 2)
+        continue;
+      if (known.state == 0 || !visit_again(arg, joints, known, met))
+        if (!visit_anew(arg, nodes, lane, joints, visit, known, met))
           continue;
-        if (known.state == 0 || !visit_again(arg, lane, joints, nodes.ring[k], known, met))
-          if (!visit_anew(arg, lane, joints, nodes.ring[k], place, known, met))
-            continue;
-        double *gap = nodes.gap + node * n_lanes + lane;
-        for (int l = 0; l < width; ++l)
-          gap[l] = known.active[l] ? met.gap[l] : 1.;
-      }
+      double *gap = nodes.gap + visit * n_lanes + lane;
+      for (int l = 0; l < width; ++l)
+        gap[l] = known.active[l] ? met.gap[l] : 1.;
+    }
 }
 
 /// A normal force as that of a law of unit stiffness: its energy is booked for the whole joint.
@@ -226,37 +204,27 @@ struct GivenForce
 template <int width>
 void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lane)
 {
-  using P               = Pack<double, width>;
-  const JointGrid &grid = *arg.grid;
-  JointSums       &sums = *arg.sums;
+  using P         = Pack<double, width>;
+  JointSums &sums = *arg.sums;
   clear_sums<width>(lane, sums);
   if (nodes.n_pressed == 0)
     return;
   const Joints<width> &joints = joints_of<width>(nodes, lane);
-  unsigned int         visits = 0;
-  for (int l = 0; l < width; ++l)
-    if (arg.master_position[lane + l] != nullptr && arg.window->count[lane + l] > visits)
-      visits = arg.window->count[lane + l];
-  if (visits == 0)
-    return;
-
-  const P            zero(0.);
-  ContactEnergies<P> energies{zero, zero, zero};
-  P                  total[3] = {zero, zero, zero};
+  const P              zero(0.);
+  ContactEnergies<P>   energies{zero, zero, zero};
+  P                    total[3] = {zero, zero, zero};
 #pragma GCC unroll 1
   for (unsigned int i = 0; i < nodes.n_pressed; ++i)
     {
-      const unsigned int place = nodes.pressed[i] / nodes.n_rings,
-                         s     = nodes.ring[nodes.pressed[i] % nodes.n_rings];
-      const double *given      = nodes.force + nodes.pressed[i] * n_lanes + lane;
-      unsigned int  state_at[width];
-      bool          changes[width], any = false;
+      const Known<width> &known = known_of<width>(nodes, lane, nodes.pressed[i]);
+      if (known.state == 2)
+        continue;
+      const double *given                  = nodes.force + nodes.pressed[i] * n_lanes + lane;
+      const unsigned int(&state_at)[width] = known.state_at;
+      bool changes[width], any = false;
       for (int l = 0; l < width; ++l)
         {
-          state_at[l] = (s * grid.slave_circumferential + column_of(arg, lane + l, place)) *
-                            n_touch_entries * n_lanes +
-                        lane + l;
-          changes[l] = joints.present[l] && place < arg.window->count[lane + l] &&
+          changes[l] = known.active[l] &&
                        (given[l] > 0. || arg.state[state_at[l] + touch_penetration * n_lanes] > 0.);
           any |= changes[l];
         }
@@ -279,7 +247,7 @@ void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lan
       find_motion(joints, m, motion);
       const P                      slip_rate[2] = {motion.relative[1] - motion.arm * motion.spin,
                                                    motion.relative[2] - motion.arm * motion.tilt};
-      const P                      area(grid.area[s]);
+      const P                      area         = P::load(known.area);
       const scene::ContactLawOf<P> law{P(1.),
                                        zero,
                                        P(arg.law.friction),
