@@ -65,7 +65,7 @@ AT_REST = {
 }
 BUSH_LENGTH = 9.94e-3  # of the 525 chain: distance of the mid-surfaces of its plates, m
 PIN_RADIUS, TANGENTIAL = 2.62e-3, 0.8  # m; Contact/Tangential ratio
-TIGHT = "spans/driven_to_driver_strand_tension"
+TIGHT = "spans/driven_to_driver_tension_by_strand"
 
 run = functools.partial(out_of_line_run.run, DRIVE, PROGRAM)
 
@@ -175,7 +175,7 @@ def mirrored():
     for entry, value in ((OFFSET, 2), (TILT, 0.5)):
         one, _ = run("one", {**short, entry: value, STRANDS: 3})
         other, _ = run("other", {**short, entry: -value, STRANDS: 3})
-        sides = "hubs/driven_strand_side_force"
+        sides = "hubs/driven_side_force_by_strand"
         check(np.abs(one[sides]).max() > 1, "nothing pushes sideways")
         below(f"{entry}: tension of strands off its mirror image", np.abs(one[TIGHT] - other[TIGHT][:, ::-1]).max() / one[TIGHT].max(), 1e-6)
         below(f"{entry}: side force off its mirror image, N", np.abs(one[sides] + other[sides][:, ::-1]).max(), 1e-2)
