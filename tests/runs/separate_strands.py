@@ -14,13 +14,16 @@
   resume    Goes on bit by bit, and is the same on two ranks
   hard      Two to six strands, three other chains, the largest lean that is accepted, a bush chain, coupling and bearing: energy and
             momentum balance, no guard trips
+  fields    Field output shows all strands: of three, three times the cells of one, at the places of the strands
   words     What plan, log and refusals say
 """
 import functools
 import math
+import pathlib
 import re
 import shutil
 import sys
+import zlib
 
 import numpy as np
 
@@ -224,6 +227,24 @@ def hard():
         check(not summary["events"], f"{summary['events']}")
 
 
+def fields():
+    found = {}
+    for strands, separate in ((1, "auto"), (3, "on")):
+        _, summary = run("fields", {STRANDS: strands, "Effects/Separate strands": separate, "Time/End time in ms": 0.1, "Output/Field interval in ms": 0.1})
+        vtu = pathlib.Path("fields/fields/bodies_000000.vtu").read_bytes()
+        head, data = vtu[:vtu.find(b"<AppendedData")], vtu[vtu.find(b"_", vtu.find(b"<AppendedData")) + 1:]
+        points, cells = (int(re.search(rb"NumberOf%s=\"(\d+)\"" % what, head)[1]) for what in (b"Points", b"Cells"))
+        blocks = int(np.frombuffer(data, "<u8", 1)[0])  # of the first array, the positions
+        sizes = np.frombuffer(data, "<u8", blocks, 24)
+        starts = 24 + 8 * blocks + np.concatenate([[0], np.cumsum(sizes)]).astype(int)
+        position = b"".join(zlib.decompress(data[start:start + int(size)]) for start, size in zip(starts, sizes))
+        z = np.frombuffer(position, "<f4").reshape(points, 3)[:, 2]
+        found[strands] = cells, points, z.max(), summary.get("strands", {}).get("z", [0])
+    cells, points, half, _ = found[1]
+    check(found[3][:2] == (3 * cells, 3 * points), f"{found[3]} of three strands, {found[1]} of one")
+    near("end of the last strand less its place over that of a single one", (found[3][2] - found[3][3][-1]) / half, 1, 1e-5)
+
+
 def words():
     def plan(changes, status=0):
         file, sets = program.REPOSITORY / "prm/verification/hard.prm", {**DRIVE, **changes}.items()
@@ -247,4 +268,4 @@ def words():
     print("OK")
 
 
-{"line": line, "leaning": leaning, "beam": beam, "mirrored": mirrored, "resume": resume, "hard": hard, "words": words}[CASE]()
+{"line": line, "leaning": leaning, "beam": beam, "mirrored": mirrored, "resume": resume, "hard": hard, "fields": fields, "words": words}[CASE]()
