@@ -23,7 +23,7 @@ SHORT = {**RIGID, "Drive/Layout/Start": "settled", "Time/End time in ms": 0.3}
 RUNS = {
     "simple": (HARD, {**SHORT, "Model/Fidelity": "simple", "Loads/Drag in 1/s": 1, "Output/Until": "tight_tension_mean=5"}),
     "layered": (HARD, {**SHORT, "Model/Fidelity": "layered"}),
-    "out of line": (HARD, {**SHORT, "Model/Fidelity": "layered", "Drive/Wheels/driven/Axial offset in mm": 1}),
+    "out of line": (HARD, {**SHORT, "Model/Fidelity": "layered", "Drive/Wheels/driven/Axial offset in mm": 1, "Drive/Chain/Strands": 6}),
     "reduced": (HARD, {**SHORT, "Model/Fidelity": "reduced", "Time/End time in ms": 0.1}),
     "full": (HARD, {**ELASTIC, **TOUCHING_PLATES, "Elements/Formulation": "one point", "Time/End time in ms": 0.03}),
     "jumped": (SIMPLE, {"Drive/Layout/Centre distance from": "slack", "Drive/Layout/Slack in mm": 70,
@@ -39,7 +39,8 @@ SHOE = {"Drive/Wheels/driver/Guide/Held by": "slide", "Drive/Wheels/driver/Guide
 NAMED = {"blade": ("prm/drives/blade.prm", {}), "shoe": ("prm/drives/blade.prm", SHOE), "drum": ("prm/drives/flat-idler.prm", {}), "guides": ("prm/drives/guides.prm", {}), "swing": ("prm/drives/motorcycle.prm", {}),
          "arm": ("prm/drives/tensioner.prm", {}), "slide": ("prm/drives/tensioner.prm", SLIDE),
          "three": ("prm/drives/two-loads.prm", {}),
-         "three out of line": ("prm/drives/two-loads.prm", {"Model/Fidelity": "layered", "Drive/Wheels/compressor/Axial offset in mm": 1}),
+         "three out of line": ("prm/drives/two-loads.prm", {"Model/Fidelity": "layered", "Drive/Wheels/compressor/Axial offset in mm": 1,
+                                                            "Drive/Chain/Strands": 2}),
          "elastic": ("prm/drives/two-loads.prm", {"Model/Fidelity": "reduced", "Mesh/Refinement": 0, "Time/End time in ms": 0.02,
                                                   "Output/Field interval in ms": 0})}
 # places of events that tests/observe/events.cc has, and none of these drives; plug-ins, and forces that they add: plugin.py;

@@ -14,13 +14,16 @@
   resume    Goes on bit by bit, and is the same on two ranks
   hard      Two to six strands, three other chains, the largest lean that is accepted, a bush chain, coupling and bearing: energy and
             momentum balance, no guard trips
+  fields    Field output shows all strands: of three, three times the cells of one, at the places of the strands
   words     What plan, log and refusals say
 """
 import functools
 import math
+import pathlib
 import re
 import shutil
 import sys
+import zlib
 
 import numpy as np
 
@@ -65,7 +68,7 @@ AT_REST = {
 }
 BUSH_LENGTH = 9.94e-3  # of the 525 chain: distance of the mid-surfaces of its plates, m
 PIN_RADIUS, TANGENTIAL = 2.62e-3, 0.8  # m; Contact/Tangential ratio
-TIGHT = "spans/driven_to_driver_strand_tension"
+TIGHT = "spans/driven_to_driver_tension_by_strand"
 
 run = functools.partial(out_of_line_run.run, DRIVE, PROGRAM)
 
@@ -175,7 +178,7 @@ def mirrored():
     for entry, value in ((OFFSET, 2), (TILT, 0.5)):
         one, _ = run("one", {**short, entry: value, STRANDS: 3})
         other, _ = run("other", {**short, entry: -value, STRANDS: 3})
-        sides = "hubs/driven_strand_side_force"
+        sides = "hubs/driven_side_force_by_strand"
         check(np.abs(one[sides]).max() > 1, "nothing pushes sideways")
         below(f"{entry}: tension of strands off its mirror image", np.abs(one[TIGHT] - other[TIGHT][:, ::-1]).max() / one[TIGHT].max(), 1e-6)
         below(f"{entry}: side force off its mirror image, N", np.abs(one[sides] + other[sides][:, ::-1]).max(), 1e-2)
@@ -224,6 +227,24 @@ def hard():
         check(not summary["events"], f"{summary['events']}")
 
 
+def fields():
+    found = {}
+    for strands, separate in ((1, "auto"), (3, "on")):
+        _, summary = run("fields", {STRANDS: strands, "Effects/Separate strands": separate, "Time/End time in ms": 0.1, "Output/Field interval in ms": 0.1})
+        vtu = pathlib.Path("fields/fields/bodies_000000.vtu").read_bytes()
+        head, data = vtu[:vtu.find(b"<AppendedData")], vtu[vtu.find(b"_", vtu.find(b"<AppendedData")) + 1:]
+        points, cells = (int(re.search(rb"NumberOf%s=\"(\d+)\"" % what, head)[1]) for what in (b"Points", b"Cells"))
+        blocks = int(np.frombuffer(data, "<u8", 1)[0])  # of the first array, the positions
+        sizes = np.frombuffer(data, "<u8", blocks, 24)
+        starts = 24 + 8 * blocks + np.concatenate([[0], np.cumsum(sizes)]).astype(int)
+        position = b"".join(zlib.decompress(data[start:start + int(size)]) for start, size in zip(starts, sizes))
+        z = np.frombuffer(position, "<f4").reshape(points, 3)[:, 2]
+        found[strands] = cells, points, z.max(), summary.get("strands", {}).get("z", [0])
+    cells, points, half, _ = found[1]
+    check(found[3][:2] == (3 * cells, 3 * points), f"{found[3]} of three strands, {found[1]} of one")
+    near("end of the last strand less its place over that of a single one", (found[3][2] - found[3][3][-1]) / half, 1, 1e-5)
+
+
 def words():
     def plan(changes, status=0):
         file, sets = program.REPOSITORY / "prm/verification/hard.prm", {**DRIVE, **changes}.items()
@@ -247,4 +268,4 @@ def words():
     print("OK")
 
 
-{"line": line, "leaning": leaning, "beam": beam, "mirrored": mirrored, "resume": resume, "hard": hard, "words": words}[CASE]()
+{"line": line, "leaning": leaning, "beam": beam, "mirrored": mirrored, "resume": resume, "hard": hard, "fields": fields, "words": words}[CASE]()

@@ -61,7 +61,7 @@ public:
         {"strands/uneven",
          "1",
          "mean tension of the tight span in the strand that pulls most, over that of all"});
-    contents.summary.push_back({"strands/z", "m", "place of each strand"});
+    contents.summary.push_back({"strands/z/*", "m", "place of each strand along z"});
     contents.summary.push_back(
         {"strands/shown", "1", "the strand that stands for the chain in histories, from 1 on"});
     return contents;
@@ -184,7 +184,7 @@ private:
 
   static files::Described tension_of(const std::string &span)
   {
-    return {"spans/" + span + "_strand_tension",
+    return {"spans/" + span + "_tension_by_strand",
             "N",
             "Mean tension of the links in the middle of the span, of each strand where strands are "
             "separate"};
@@ -192,7 +192,7 @@ private:
 
   static files::Described tooth_force_of(const std::string &wheel)
   {
-    return {"teeth/" + wheel + "_strand_force",
+    return {"teeth/" + wheel + "_force_by_strand",
             "N",
             "Sum of the normal forces of rollers on the " + wheel +
                 "'s teeth, of each strand where strands are separate"};
@@ -200,14 +200,14 @@ private:
 
   static files::Described side_force_of(const std::string &wheel)
   {
-    return {"hubs/" + wheel + "_strand_side_force",
+    return {"hubs/" + wheel + "_side_force_by_strand",
             "N",
             "Force of each strand on the " + wheel + " along its axis, where strands are separate"};
   }
 
   static files::Described pin_load()
   {
-    return {"joints/pin_strand_load_at_edge",
+    return {"joints/pin_load_at_edge_by_strand",
             "N/m",
             "Largest load per length at an end of a pin in a bush, of each strand where strands "
             "are separate"};
