@@ -464,10 +464,10 @@ def sound_topic(runs):
         quieter, where the measured one is by 8 dB: the film (effect `oil film`) takes the bouncing of rollers between bush and tooth, and what
         remains is {level(oiled[100]) - 57:.0f} dB too loud with 100 mPa s. Without oil rollers and links are rigid and their contacts short: third
         octaves rise up to 20 kHz. Of the unweighted {all_of_them:.0f} dB those up to 5 kHz make {low:.0f} dB, so that most of the excess is in
-        bands in which a real roller rings, deforms and is damped, and a dry chain of a test has its factory's grease. Elastic bodies alone do not
-        mend it: `./run prm/published/rs80.prm --set "Model/Fidelity=reduced"`, which takes four minutes and is not among the runs of this page,
-        gives 86.5 dB(A), with rollers and links that deform, touch without penalty and are not damped. What a level is worth: the order of two
-        drives, and what oil does to one, within some 5 dB; as an absolute value it is 10 to 15 dB too high.""")
+        bands in which a real roller rings, deforms and is damped; how much of its grease the chain called dry had is not known. Elastic bodies
+        alone do not mend it: `./run prm/published/rs80.prm --set "Model/Fidelity=reduced"`, which takes four minutes and is not among the runs of
+        this page, gives 86.5 dB(A), with rollers and links that deform, touch without penalty and are not damped. What a level is worth: it orders
+        drives and lubrications; what oil does is known within 10 dB; as an absolute value it is 5 to 16 dB too high here.""")
 
 
 TOPICS = {"ratio": ratio_topic, "teeth": tooth_topic, "resonance": resonance_topic, "tight": tight_topic, "string": string_topic,

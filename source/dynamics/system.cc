@@ -3,6 +3,7 @@
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/dynamics/system.h>
+#include <chaindrive/forces/oil_film.h>
 #include <chaindrive/forces/shaft.h>
 #include <chaindrive/forces/tensioner.h>
 #include <chaindrive/scene/scene.h>
@@ -21,6 +22,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
     forces.push_back(given->clone());
   for (const scene::Tensioner &given : scene.tensioners)
     forces.push_back(std::make_unique<TensionerSpring>(given));
+  for (const scene::OilFilms &given : scene.oil)
+    forces.push_back(std::make_unique<OilFilm>(given));
   for (const scene::Coupling &given : scene.couplings)
     forces.push_back(std::make_unique<CouplingSpring>(scene, given));
   for (const scene::Bearing &given : scene.bearings)

@@ -66,7 +66,7 @@ double SqueezedFilm::advance(const double new_gap, const double k, const double 
   return 0.5 * (force_before + force) * (before - gap) - (stored - stored_before);
 }
 
-OilFilm::OilFilm(OilFilms films)
+OilFilm::OilFilm(scene::OilFilms films)
     : films_(std::move(films)), states_(films_.rollers.size() * (1 + films_.wheels.size()))
 {
 }
@@ -113,7 +113,7 @@ void OilFilm::add_forces(World &world, const double dt)
   const std::size_t n         = films_.rollers.size();
   for (std::size_t k = 0; k < n; ++k)
     {
-      const OilFilms::Roller    &one    = films_.rollers[k];
+      const scene::OilFilms::Roller &one = films_.rollers[k];
       const Frame               &roller = world.frames[one.roller], &link = world.frames[one.link];
       const dealii::Tensor<1, 3> bush =
           link.position + link.rotation * dealii::Tensor<1, 3>({one.bush_x, 0., 0.});
@@ -133,9 +133,9 @@ void OilFilm::add_forces(World &world, const double dt)
                 world);
       for (std::size_t i = 0; i < films_.wheels.size(); ++i)
         {
-          const OilFilms::Wheel     &wheel = films_.wheels[i];
-          const Frame               &frame = world.frames[wheel.body];
-          const dealii::Tensor<1, 3> there =
+          const scene::OilFilms::Wheel &wheel = films_.wheels[i];
+          const Frame                  &frame = world.frames[wheel.body];
+          const dealii::Tensor<1, 3>    there =
               transpose(frame.rotation) * (roller.position - frame.position);
           SqueezedFilm &film  = states_[n * (1 + i) + k];
           const double  reach = 0.5 * wheel.form.outside_diameter + 1.2 * films_.roller_radius;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chaindrive/forces/oil_film.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/utilities/text.h>
 
@@ -27,7 +26,7 @@ void add_oil_films(const model::Model &model, const drive::Drive &drive, Scene &
     films.wheels.push_back({scene.drive.sprockets[i].body,
                             std::min(chain.roller_length, drive.sprocket_width),
                             drive.sprockets[i].form});
-  scene.forces.push_back(std::make_shared<OilFilm>(films));
+  scene.oil.push_back(films);
   scene.notes.push_back("Oil of " + to_text(1e3 * films.viscosity, 3) +
                         " mPa s fills the gaps between rollers, bushes and teeth.");
 }

@@ -32,7 +32,7 @@ scene::Scene ring_on_bush(const double viscosity, const double below, const doub
            vector(0., -below, 0.),
            vector(0., speed, 0.)),
             body(scene::Motion::rigid, scene::Mount::fixed(), 1., vector(1., 1., 1.), Vector3())};
-  OilFilms films;
+  scene::OilFilms films;
   films.viscosity       = viscosity;
   films.roller_radius   = 10e-3;
   films.bore_radius     = 8e-3;
@@ -102,7 +102,7 @@ int main()
     {
       Parameters                   parameters;
       const drive::ChainDimensions chain = drive::make_chain(parameters.drive.chain);
-      OilFilms                     films;
+      scene::OilFilms              films;
       films.roller_radius   = 0.5 * chain.roller_diameter;
       films.bore_radius     = 1.;
       films.bush_radius     = 0.1; // far from everything

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/forces/force_element.h>
 
 #include <vector>
@@ -45,29 +44,6 @@ struct SqueezedFilm
   }
 };
 
-/// Whose gaps are full of oil. SI units.
-struct OilFilms
-{
-  struct Roller
-  {
-    unsigned int roller, link; ///< bodies; the link has the bush
-    double       bush_x;       ///< of the bush's axis in the link's frame, m
-  };
-  struct Wheel
-  {
-    unsigned int     body;
-    double           length; ///< of the gap between roller and tooth, m
-    drive::ToothForm form;
-  };
-
-  double              viscosity;                               ///< Pa s
-  double              roller_radius, bore_radius, bush_radius; ///< m
-  double              length;                                  ///< of a roller, m
-  double              bush_stiffness, tooth_stiffness;         ///< of their contacts, N/m
-  std::vector<Roller> rollers;
-  std::vector<Wheel>  wheels;
-};
-
 /// The squeeze films of a chain: of each roller on its bush, and on the tooth nearest to it of each
 /// wheel. They act along the line of centres of roller and bush and along the normal of the tooth;
 /// that they resist sliding is not in it, nor the time in which a gap fills.
@@ -76,7 +52,7 @@ struct OilFilms
 class OilFilm : public ForceElement
 {
 public:
-  explicit OilFilm(OilFilms films);
+  explicit OilFilm(scene::OilFilms films);
 
   std::unique_ptr<ForceElement> clone() const override { return std::make_unique<OilFilm>(*this); }
   std::string                   name() const override { return "oil film"; }
@@ -105,7 +81,7 @@ private:
                double                      dt,
                World                      &world);
 
-  OilFilms                  films_;
+  scene::OilFilms           films_;
   std::vector<SqueezedFilm> states_; ///< of bushes, then of the rollers on each wheel
   double                    lost_ = 0.;
 };

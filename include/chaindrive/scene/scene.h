@@ -8,6 +8,7 @@
 #include <chaindrive/parameters/parameters.h>
 #include <chaindrive/scene/drive_view.h>
 #include <chaindrive/scene/interface.h>
+#include <chaindrive/scene/oil_films.h>
 #include <chaindrive/utilities/mirror_symmetry.h>
 #include <chaindrive/utilities/rotation.h>
 
@@ -202,6 +203,7 @@ struct Scene
   std::vector<Swing>                               swings;
   std::vector<Coupling>                            couplings;
   std::vector<Bearing>                             bearings;
+  std::vector<OilFilms>                            oil; ///< one if there is oil, else none
   std::vector<BoreFamily>                          bores;
   std::vector<FaceFamily>                          faces;
   std::vector<ToothFamily>                         teeth;
