@@ -149,7 +149,7 @@ std::vector<std::string> calibrate_command(const CommandLine &command_line, cons
     }
   catch (const InputError &error)
     {
-      throw InputError("This drive cannot be calibrated, which takes all models: " +
+      throw InputError("The calibration, which takes all models, cannot begin: " +
                        std::string(error.what()));
     }
 }

@@ -54,7 +54,7 @@ def main():
         shutil.rmtree(left, ignore_errors=True)
     refused(["calibrate", "--quick"], "--quick belongs to studies")
     refused(["calibrate"], "A drive that stands", changes={"Loads/Driver speed in rad/s": 0})
-    refused(["calibrate"], "cannot be calibrated", "exact: ", changes={"Drive/Sprockets/Driver mesh": REPOSITORY / "meshes/sprocket-15.msh",
+    refused(["calibrate"], "cannot begin", "exact: ", changes={"Drive/Sprockets/Driver mesh": REPOSITORY / "meshes/sprocket-15.msh",
                                                                         "Drive/Driver teeth": 15, "Drive/Number of links": 28})
     line, _ = first_line()
     check("no answer for this drive" in line and f"chaindrive calibrate {HARD} --set" in line, line)
