@@ -162,4 +162,15 @@ int main()
     }
   verdict("a film is used up", film.thickness == 0. && film.force == 0. && film.stored == 0.);
   verdict("  what it has done is lost", lost > 0. && near(lost, work, 1e-9));
+
+  // pressed down to less than a micrometre, opened to five in one short step, pressed again
+  SqueezedFilm again;
+  again.advance(1e-6, 1e6, 1e-3, 0.);
+  again.advance(0.5e-6, 1e6, 1e-3, 1e-3);
+  const double thin = again.thickness;
+  again.advance(5e-6, 1e6, 1e3, 1e-9);
+  verdict("a gap that opens is full at once",
+          thin < 0.6e-6 && again.thickness == 5e-6 && again.force == 0.);
+  again.advance(4e-6, 1e6, 1e3, 1e-9);
+  verdict("  and bears where it closes again", near(again.force, 1e6 * 1e-6, 1e-3));
 }
