@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """separate_strands.py CASE PROGRAM: strands of a chain of several that are bodies of their own.
 
-  line      In line two and three separate strands are, to round-off, one strand with its share
+  line      In line two and three separate strands are, to round-off, one strand with its share; springs of shafts and tensioners too
   leaning   At rest a wheel that leans by theta along the line of centres pulls two strands that are p_t apart by the difference D. The
             moment of strands balances the tension T on links that are askew by phi: B phi'' = T phi, with B = k p sum(z^2 + l^2 / 12 +
             kappa r^2) on a span of the length L. The middle w = 0.3 L, over which tensions are means, is then bent by theta / w sinh(w
@@ -25,6 +25,7 @@ import shutil
 import sys
 import zlib
 
+import h5py
 import numpy as np
 
 import out_of_line_run
@@ -90,6 +91,22 @@ def line():
         below("tensions of strands off each other, of them", np.ptp(tension, axis=1).max() / tension.max(), 1e-6)
         for name in ("drive_work", "resisting_work"):
             near(f"{name} of all strands over that of one strand's run", of_several[name] / of_one[name], 1, 1e-6)
+    # springs of a tensioner, a coupling and a bearing, a load that grows with the speed
+    yielding = {**short, "Model/Fidelity": "layered", "Output/History precision": "double", "Output/History interval in us": 20,
+                "Output/Window start in ms": 0,
+                "Drive/Wheels/driven/Coupling/Stiffness in N m/rad": 2e4, "Drive/Wheels/driver/Bearing/Stiffness in N/m": 1e8,
+                "Loads/driven/Of speed/Linear in N m s": 0.01}
+    found = []
+    for separate in ("off", "on"):
+        program.run("prm/drives/duplex.prm", {**yielding, "Effects/Separate strands": separate}, "--output", separate, program=PROGRAM)
+        with h5py.File(f"{separate}/histories.h5") as file:
+            found.append({f"{group}/{name}": file[group][name][:] for group in ("hubs", "spans") for name in file[group]
+                          if not name.endswith("_by_strand")})
+    names = [name for name, values in found[0].items() if np.abs(values).max() > 0]
+    springs = {"hubs/idler_tensioner_moment", "hubs/driven_coupling_moment", "hubs/driver_bearing_force_x"}
+    check(springs <= set(names), f"no {springs - set(names)}")
+    for name in names:
+        below(f"{name}: off that of one strand", difference(found[1], found[0], [name]), 1e-6)
 
 
 def lean(links, direction=0, changes=()):
