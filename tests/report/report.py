@@ -184,7 +184,7 @@ def several():
     torques = [program.summary(name)["driver_torque_mean"] for name in ("heavy", "light")]
     row = re.search(r"driver torque, mean</th>.*?</tr>", pathlib.Path("both.html").read_text())[0]
     difference = f"{100 * (torques[1] / torques[0] - 1):+.2g}".replace("-", "−")
-    check(f"{torques[0]:.4g}\u00a0N m" in row and difference in row, f"{torques}: {row}")
+    check(f"{torques[0]:.4g}\u00a0N\u00a0m" in row and difference in row, f"{torques}: {row}")
     check("Loads/Resisting torque in N m" in found.texts["answers"] and "different drives" not in found.texts["all"], "entries that differ")
 
     auto = {f"Drive__Sprockets__Driver_{what}_in_mm": "auto" for what in ("outside_diameter", "hub_diameter", "bore")}
