@@ -41,9 +41,13 @@ def accuracy():
                   f"no answer in: {line}")
     line = first("tight_tension_mean=0.001")
     program.check("within 0.001 %: no model; the best is" in line, line)
-    for change in ("Drive/Number of links=120", "Loads/Driver speed in rad/s=60", "Loads/Resisting torque in N m=75"):
+    for change in ("Drive/Number of links=120", "Loads/Resisting torque in N m=75"):  # of nobody, but between others
         line = first("tight_tension_mean=5", change, "Drive/Layout/Centre distance from=slack")
+        program.check("within 5 %: layered, as other drives let expect, against exact " in line and " s here; Model/Fidelity=layered" in line, f"{change}: {line}")
+        line = first("tight_tension_mean=0.1", change, "Drive/Layout/Centre distance from=slack")
         program.check("no answer for this drive" in line and "chaindrive calibrate" in line and f'--set "{change}"' in line, f"{change}: {line}")
+    line = first("tight_tension_mean=100", "Loads/Driver speed in rad/s=6")  # like none
+    program.check("no answer for this drive" in line and "Not measured on a drive like this: " in line and "resonance" in line and " there. This finds one" in line, line)
 
 
 def said_of(pairs):
