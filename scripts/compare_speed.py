@@ -47,7 +47,7 @@ def main(arguments):
     program.check(len(arguments) >= 2, __doc__)
     old, new = arguments[:2]
     runs = int(arguments[2]) if len(arguments) > 2 else 7
-    print(f"{'case':10}{'phase':20}{'old (s)':>9}{'new (s)':>9}{'new / old':>11}{'least':>8}{'most':>8}")
+    print(f"{'case':12}{'phase':20}{'old (s)':>9}{'new (s)':>9}{'new / old':>11}{'least':>8}{'most':>8}")
     for case in arguments[3:] or CASES:
         pairs = [(seconds(old, case), seconds(new, case)) for _ in range(runs)]
         for phase in (*PHASES, "loop"):
@@ -56,7 +56,7 @@ def main(arguments):
                 continue
             ratios = [b / a for a, b in zip(before, after)]
             row = f"{statistics.median(before):9.3f}{statistics.median(after):9.3f}{statistics.median(ratios):11.3f}"
-            print(f"{case:10}{phase:20}{row}{min(ratios):8.3f}{max(ratios):8.3f}", flush=True)
+            print(f"{case:12}{phase:20}{row}{min(ratios):8.3f}{max(ratios):8.3f}", flush=True)
 
 
 if __name__ == "__main__":
