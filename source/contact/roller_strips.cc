@@ -286,8 +286,13 @@ void RollerStrips::find_near(const Roller &roller, const double reach)
   near_strips_.clear();
   for (unsigned int s = 0; s < places.size(); ++s)
     {
-      if ((places[s].middle - centre).norm_square() > far * far)
-        continue;
+      if (const double beyond = (places[s].middle - centre).norm() - far; beyond > 0.)
+        {
+          // the next ones cannot be much nearer
+          s += static_cast<unsigned int>(
+              std::min<double>(beyond / profile_.spacing(), places.size()));
+          continue;
+        }
       NearStrip strip{s, -radius_, {}, not_laid};
       for (const dealii::Tensor<1, 2> &point : places[s].gauss)
         {

@@ -93,6 +93,8 @@ ToothStrips::ToothStrips(const ToothForm &form, const double radius)
       strip.middle = point_at(form, middle);
       for (const unsigned int g : {0u, 1u})
         strip.gauss[g] = point_at(form, middle + (g == 0 ? -wide : wide) / std::sqrt(3.));
+      if (i > 0)
+        spacing_ = std::max(spacing_, (strip.middle - strips_.back().middle).norm());
       strips_.push_back(strip);
     }
 }

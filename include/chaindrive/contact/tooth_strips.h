@@ -28,11 +28,15 @@ public:
 
   const std::vector<Strip> &strips() const { return strips_; }
 
+  /// The largest distance from the middle of one to that of the next, m.
+  double spacing() const { return spacing_; }
+
   /// Where they are round a roller that rolls along the profile, from the bottom of the gap.
   const StripGrid &grid() const { return grid_; }
 
 private:
   std::vector<Strip> strips_;
   StripGrid          grid_;
+  double             spacing_ = 0.;
 };
 } // namespace chaindrive::contact
