@@ -65,6 +65,7 @@ struct KnownForce
   void book(const scene::ContactLaw &,
             const TouchState &,
             const TouchState &,
+            double /*dt*/,
             ContactEnergies<double> &) const
   {
   }
