@@ -21,6 +21,16 @@ GuideLine::GuideLine(const scene::GuideFamily &family)
   for (unsigned int i = 0; i <= n * curve_->n_pieces(); ++i)
     reach_ = std::max(reach_, middle.distance(curve_->at(static_cast<double>(i) / n)));
   reach_ *= 1.05; // between these points
+  for (unsigned int piece = 0; piece < curve_->n_pieces(); ++piece)
+    {
+      Chord chord{curve_->at(piece), curve_->at(piece + 1.) - curve_->at(piece), 0.};
+      constexpr unsigned int n_points = 64;
+      for (unsigned int i = 1; i < n_points; ++i)
+        chord.bulge =
+            std::max(chord.bulge, distance_from(chord, curve_->at(piece + double(i) / n_points)));
+      chord.bulge *= 1.05; // between these points
+      chords_.push_back(chord);
+    }
   if (depth_ == 0.)
     return;
   const double last = curve_->n_pieces(), near = 1e-6;
@@ -35,6 +45,20 @@ GuideLine::GuideLine(const scene::GuideFamily &family)
       rounded.centre = at - depth_ * curve_->nearest(curve_->at(beside), hint).normal;
       ends_.push_back(rounded);
     }
+}
+
+double GuideLine::distance_from(const Chord &chord, const dealii::Point<2> &p)
+{
+  const dealii::Tensor<1, 2> arm  = p - chord.from;
+  const double               part = arm * chord.along / chord.along.norm_square();
+  return (arm - std::clamp(part, 0., 1.) * chord.along).norm();
+}
+
+bool GuideLine::is_beyond(const dealii::Point<2> &p, const double distance) const
+{
+  return std::all_of(chords_.begin(), chords_.end(), [&](const Chord &chord) {
+    return distance_from(chord, p) > distance + chord.bulge;
+  });
 }
 
 path::Nearest GuideLine::nearest(const dealii::Point<2> &p, unsigned int &hint) const
@@ -57,11 +81,14 @@ Touch GuideLine::project(const World                &world,
                          unsigned int &hint,
                          Projection & /*projection*/) const
 {
-  const Frame               &frame   = world.frames[body()];
-  const dealii::Tensor<1, 3> local   = transpose(frame.rotation) * (x - frame.position);
-  const path::Nearest        nearest = this->nearest(dealii::Point<2>(local[0], local[1]), hint);
-  const double               middle = nearest.distance + depth_, side = middle < 0. ? -1. : 1.;
+  const Frame               &frame = world.frames[body()];
+  const dealii::Tensor<1, 3> local = transpose(frame.rotation) * (x - frame.position);
+  const dealii::Point<2>     p(local[0], local[1]);
   Touch                      touch;
+  if (is_beyond(p, 2. * depth_ + radius))
+    return touch;
+  const path::Nearest nearest = this->nearest(p, hint);
+  const double        middle = nearest.distance + depth_, side = middle < 0. ? -1. : 1.;
   touch.gap = side * middle - depth_ - radius;
   if (touch.gap < 0.)
     {

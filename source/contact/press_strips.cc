@@ -26,6 +26,7 @@ struct KnownForce
   void book(const scene::ContactLaw &,
             const TouchState &,
             const TouchState &,
+            double /*dt*/,
             ContactEnergies<double> &) const
   {
   }

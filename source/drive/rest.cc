@@ -154,12 +154,17 @@ void settle(Layout                          &layout,
     scale += force_of(*layout.tensioner);
   if (guide != nullptr)
     scale += force_of(*guide->held);
+  const double without_load = scale;
   for (const RestingWheel &wheel : wheels)
     scale += std::abs(wheel.torque) / wheel.lever;
   if (!equilibrium.solve(1e-6 * scale + 1e-3) && equilibrium.largest_force() > creeping * scale)
     throw InputError("Drive/Layout/Start = settled: no balance of the load torque, the tension of "
                      "the chain and the forces of the teeth is found for this drive; choose taut, "
-                     "which comes to speed and load in a ramp.");
+                     "which comes to speed and load in a ramp." +
+                     std::string(scale > without_load ? "" :
+                                                        " There is no load, and without one no "
+                                                        "span is tight: most drives that carry "
+                                                        "one settle."));
   equilibrium.store();
   set_in_motion(layout, operation.driver_speed);
   // above the resonance the inertia keeps its mean speed, whatever the polygon

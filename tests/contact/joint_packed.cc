@@ -39,18 +39,21 @@ double difference_of_laws(const double friction)
           contact::update_point(law, gap[i], gap_rate[i], rate, 1e-7, scalar[i], ledger[i]);
         }
       const P penetration = greatest(P(0.), P(0.) - gap);
-      contact::update_touch(
-          scene::ContactLawOf<P>{law.stiffness,
-                                 law.damping,
-                                 friction,
-                                 law.tangential_stiffness,
-                                 law.tangential_damping},
-          contact::NodeApproach<P>{penetration, gap, gap_rate, penetration - packed.penetration},
-          slip_rate,
-          P(1e-7),
-          friction > 0.,
-          packed,
-          energies);
+      const P closing     = if_less(P(0.), // as a point by itself has it when it meets the surface
+                                packed.penetration,
+                                penetration - packed.penetration,
+                                P(0.) - gap_rate * P(1e-7));
+      contact::update_touch(scene::ContactLawOf<P>{law.stiffness,
+                                                   law.damping,
+                                                   friction,
+                                                   law.tangential_stiffness,
+                                                   law.tangential_damping},
+                            contact::NodeApproach<P>{penetration, gap, gap_rate, closing},
+                            slip_rate,
+                            P(1e-7),
+                            friction > 0.,
+                            packed,
+                            energies);
       for (int i = 0; i < 2; ++i)
         for (const double d : {(packed.normal[i] - scalar[i].normal) / 50.,
                                (packed.tangential[0][i] - scalar[i].tangential[0]) / 50.,

@@ -65,7 +65,8 @@ inline void book_deflection(const double      stiffness,
   scene::ContactLaw law;
   law.stiffness = stiffness;
   ContactEnergies<double> energies{ledger.contact, ledger.contact_damping, ledger.friction};
-  PointApproach<double>{-now.penetration, 0.}.book(law, before, now, energies);
+  const double            way = now.penetration; // if the surface was not deflected before
+  PointApproach<double>{-now.penetration, -way}.book(law, before, now, 1., energies);
   ledger.contact         = energies.stored;
   ledger.contact_damping = energies.damping_loss;
 }

@@ -38,10 +38,25 @@ private:
     dealii::Tensor<1, 2> outwards;   ///< along the line, unit
   };
 
+  /// A piece of the line lies within the bulge of the chord between its ends.
+  struct Chord
+  {
+    dealii::Point<2>     from;  ///< m
+    dealii::Tensor<1, 2> along; ///< to the other end, m
+    double               bulge; ///< m
+  };
+
+  static double distance_from(const Chord &chord, const dealii::Point<2> &p); ///< m
+
+  /// Whether @p p is farther than @p distance [m] from all of the line: told by its chords, which
+  /// is far cheaper than to find the nearest point.
+  bool is_beyond(const dealii::Point<2> &p, double distance) const;
+
   /// As that of the line, with its rounded ends.
   path::Nearest nearest(const dealii::Point<2> &p, unsigned int &hint) const;
 
   std::vector<End>                   ends_; ///< of a line for nodes
+  std::vector<Chord>                 chords_;
   std::shared_ptr<const path::Curve> curve_;
   bool                               at_centres_;
   double                             depth_;  ///< see scene::GuideFamily, m

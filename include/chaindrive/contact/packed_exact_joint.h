@@ -196,6 +196,7 @@ struct GivenForce
   CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number> &,
                                      const TouchStateOf<Number, n_tangents> &,
                                      const TouchStateOf<Number, n_tangents> &,
+                                     const Number /*dt*/,
                                      ContactEnergies<Number> &) const
   {
   }

@@ -48,18 +48,24 @@ struct PointApproach
   }
 
   /// The work of the normal force over the step, by the trapezoidal rule, is stored in the spring
-  /// or lost in the dashpot: of (N0 + N) (d - d0) / 2 the spring takes k (d^2 - d0^2) / 2.
+  /// or lost in the dashpot: of (N0 + N) (d - d0) / 2 the spring takes k (d^2 - d0^2) / 2. In the
+  /// step in which the surfaces meet central differences let the dashpot's force, which begins with
+  /// a jump, act on all of the way -g' dt, also where it was not yet there: what it takes is lost.
   template <int n_tangents>
   CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number>      &law,
                                      const TouchStateOf<Number, n_tangents> &before,
                                      const TouchStateOf<Number, n_tangents> &now,
+                                     const Number                            dt,
                                      ContactEnergies<Number>                &energies) const
   {
     const Number half(0.5);
     const Number springs = law.stiffness * (before.penetration + now.penetration);
+    const Number closing = if_less(Number(0.),
+                                   before.penetration,
+                                   now.penetration - before.penetration,
+                                   Number(0.) - rate * dt);
     energies.stored += half * law.stiffness * now.penetration * now.penetration;
-    energies.damping_loss +=
-        half * (before.normal + now.normal - springs) * (now.penetration - before.penetration);
+    energies.damping_loss += half * (before.normal + now.normal - springs) * closing;
   }
 };
 
@@ -82,7 +88,8 @@ struct NodeApproach
   CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number>      &law,
                                      const TouchStateOf<Number, n_tangents> &before,
                                      const TouchStateOf<Number, n_tangents> &now,
-                                     ContactEnergies<Number>                &energies) const
+                                     const Number /*dt*/,
+                                     ContactEnergies<Number> &energies) const
   {
     const Number half(0.5);
     const Number spring = law.stiffness * now.penetration;
@@ -140,7 +147,7 @@ CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &la
               touch.penetration,
               greatest(zero, law.stiffness * touch.penetration - law.damping * approach.rate),
               zero);
-  approach.book(law, before, touch, energies);
+  approach.book(law, before, touch, dt, energies);
   if (!with_friction)
     return;
 
