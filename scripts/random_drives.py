@@ -63,8 +63,8 @@ def draw(rng, fidelity, kinds=False):
         "Time/End time in ms": 0.3,
         "Output/Window start in ms": 0,
     }
-    kinds = [("slack", f"{rng.uniform(0, 0.5):.2f}"), ("sag", f"{rng.uniform(0.2, 5):.2f}"), ("pretension", f"{rng.uniform(50, 2000):.0f}")]
-    kind, value = rng.choice(kinds[:2] if elastic else kinds)  # elastic parts cannot be stretched before the start
+    ways = [("slack", f"{rng.uniform(0, 0.5):.2f}"), ("sag", f"{rng.uniform(0.2, 5):.2f}"), ("pretension", f"{rng.uniform(50, 2000):.0f}")]
+    kind, value = rng.choice(ways[:2] if elastic else ways)  # elastic parts cannot be stretched before the start
     entries["Drive/Layout/Centre distance from"] = kind
     entries[{"slack": "Drive/Layout/Slack in mm", "sag": "Drive/Layout/Sag in percent", "pretension": "Drive/Layout/Pretension in N"}[kind]] = value
     if elastic:
