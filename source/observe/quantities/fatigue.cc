@@ -88,7 +88,7 @@ public:
 
   void serialize(const Archive &archive)
   {
-    archive("links", links_);
+    archive("turned", links_);
     archive("last", last_);
     archive("last way", way_);
     archive("sense", sense_);
@@ -243,7 +243,7 @@ public:
 
   void serialize(const Archive &archive) override
   {
-    links_.serialize(archive);
+    links_.serialize(archive / "links");
     archive("at pitches", at_pitches_);
     archive("first", first_);
     archive("last", last_);
