@@ -49,11 +49,11 @@ def entries(case, model, directory, quick):
 
 def not_finite(summary, name=""):
     """Names of the numbers in a summary that are none. A mean over nothing is null by
-    definition, and so are whether a drive has settled that nobody waits for, and the strength of
-    a chain whose parts are not those of its table."""
+    definition, and so are whether a drive has settled that nobody waits for, the strength of a
+    chain whose parts are not those of its table, and how certain a mean of few pitches is."""
     if isinstance(summary, dict):
         return [bad for key, value in summary.items() for bad in not_finite(value, key)]
-    nothing = summary is None and name not in ("pitch_time_mean", "settled", "tensile_strength", "safety")
+    nothing = summary is None and name not in ("pitch_time_mean", "settled", "tensile_strength", "safety", "uncertainty")
     return [name] if nothing or (isinstance(summary, float) and not math.isfinite(summary)) else []
 
 
