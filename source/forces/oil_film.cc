@@ -49,7 +49,8 @@ double squeeze_resistance(const double viscosity,
   return is_long * is_short / (is_long + is_short);
 }
 
-double SqueezedFilm::advance(const double new_gap, const double k, const double c, const double dt)
+double
+SqueezedFilm::advance(const double new_gap, const double stiffness, const double c, const double dt)
 {
   const double before = gap, force_before = force, stored_before = stored;
   gap = new_gap;
@@ -57,11 +58,11 @@ double SqueezedFilm::advance(const double new_gap, const double k, const double 
     thickness = std::max(gap, 0.); // it is full
   else
     {
-      const double share = k * dt / c;
+      const double share = stiffness * dt / c;
       thickness          = std::max((thickness + share * gap) / (1. + share), 0.);
     }
   const double open = std::max(gap, 0.);
-  force             = k * std::max(thickness - open, 0.);
+  force             = stiffness * std::max(thickness - open, 0.);
   stored            = force * (0.5 * (thickness + open) - gap);
   return 0.5 * (force_before + force) * (before - gap) - (stored - stored_before);
 }

@@ -18,39 +18,39 @@ dealii::Tensor<1, 3> shaft_of(const scene::Body &body)
 } // namespace
 
 Spans::Spans(const scene::Scene     &scene,
-             const scene::DriveView &drive,
+             const scene::DriveView &strand,
              const dynamics::System &system)
-    : drive_(drive)
-    , spans_(drive.spans.size())
-    , tension_(drive.n_joints, 0.)
-    , n_links_(drive.spans.size())
-    , member_(drive.n_joints)
+    : drive_(strand)
+    , spans_(strand.spans.size())
+    , tension_(strand.n_joints, 0.)
+    , n_links_(strand.spans.size())
+    , member_(strand.n_joints)
 {
-  if (drive.spans.empty())
+  if (strand.spans.empty())
     return;
-  for (const scene::Span &span : drive.spans)
+  for (const scene::Span &span : strand.spans)
     {
-      const scene::Sprocket &from = drive.sprockets[span.from];
+      const scene::Sprocket &from = strand.sprockets[span.from];
       // never so short that it may hold no link
-      const double middle = std::max(0.15 * (span.end - span.begin), 0.51 * drive.pitch);
+      const double middle = std::max(0.15 * (span.end - span.begin), 0.51 * strand.pitch);
       places_.push_back({shaft_of(scene.bodies[from.body]),
                          0.5 * (span.begin + span.end),
                          std::max(0.5 * (span.end - span.begin), middle),
                          middle,
                          // inside of the normal where the sprocket turns against the drive
-                         from.sense * drive.sense * from.pitch_radius});
+                         from.sense * strand.sense * from.pitch_radius});
     }
-  for (const scene::Span &span : drive.spans)
+  for (const scene::Span &span : strand.spans)
     for (const dealii::Tensor<1, 3> &axis : {span.along, span.normal, span.direction})
       steepest_ = std::max(steepest_, axis.norm());
-  driver_   = shaft_of(scene.bodies[drive.driver().body]);
-  mirrored_ = drive.tight().normal -
-              2. * (drive.tight().normal * drive.tight().along) * drive.tight().along;
-  joints_ = system.contacts.find({scene::Interface::bush_pin, 0, drive.strand});
+  driver_   = shaft_of(scene.bodies[strand.driver().body]);
+  mirrored_ = strand.tight().normal -
+              2. * (strand.tight().normal * strand.tight().along) * strand.tight().along;
+  joints_ = system.contacts.find({scene::Interface::bush_pin, 0, strand.strand});
   if (joints_.empty())
     return;
-  pin_force_.resize(drive.n_joints);
-  for (const unsigned int link : drive.links)
+  pin_force_.resize(strand.n_joints);
+  for (const unsigned int link : strand.links)
     {
       const scene::Body &body = scene.bodies[link];
       // pins belong to outer links; bushes feel the opposite force

@@ -109,14 +109,15 @@ double critical_time_step_of_ovals(const World &world, const std::vector<Spring>
 }
 } // namespace
 
-double critical_time_step(const World &world, const std::vector<Spring> &all)
+double critical_time_step(const World &world, const std::vector<Spring> &springs)
 {
-  std::vector<Spring> springs;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(springs), [](const Spring &spring) {
-    return !spring.is_of_oval;
-  });
-  if (springs.size() < all.size())
-    return std::min(critical_time_step(world, springs), critical_time_step_of_ovals(world, all));
+  std::vector<Spring> others;
+  std::copy_if(springs.begin(),
+               springs.end(),
+               std::back_inserter(others),
+               [](const Spring &spring) { return !spring.is_of_oval; });
+  if (others.size() < springs.size())
+    return std::min(critical_time_step(world, others), critical_time_step_of_ovals(world, springs));
   if (springs.empty())
     return std::numeric_limits<double>::infinity();
 
