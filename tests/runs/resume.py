@@ -204,7 +204,7 @@ def stop_early():
 def stop():
     stop_early()
     for fidelity, ranks in (("layered", 1), ("full", 2), ("reduced", 2)):
-        end = {"Time/End time in ms": 0.3 if fidelity in ELASTIC else 20}
+        end = {"Time/End time in ms": 0.3 if fidelity in ELASTIC else 200}  # long enough to be stopped three times
         entries = {**drive(fidelity), **end}
         fresh("through", "resumed")
         run("through", entries, ranks=ranks)
