@@ -46,10 +46,10 @@ SECOND_DEMANDS = {100: (.4, .55, .8, 1.1), 500: (1.8, 2.4, 3.2, 4.8), 1000: (3.5
 #: The newer plate ratings by the dynamic strength F_d of ISO 606 and the chain speed, fitted to RATINGS and SMALL: F_d n^-0.04 times this.
 SHARE, FALL = 0.805, -0.04
 STRENGTH = {"04C": 630., "08A": 2480., "12A": 5490., "16A": 9550.}  # N
-PITCH = {"04C": 6.35, "08A": 12.7, "10A": 15.875, "12A": 19.05, "16A": 25.4}  # mm
+PITCH = {"04C": 6.35, "08A": 12.7, "10A": 15.875, "12A": 19.05, "16A": 25.4, "20A": 31.75, "24A": 38.1, "28A": 44.45, "32A": 50.8, "36A": 57.15,
+         "40A": 63.5, "48A": 76.2}  # mm
 #: Fatigue limits that Tsubaki's catalogues give of RS chains as largest allowable loads, kN; recalled (they are whole tens of kgf).
 LIMITS = {"08A": 3.63, "10A": 6.37, "12A": 8.83, "16A": 14.7, "20A": 22.6, "24A": 30.4, "28A": 40.2, "32A": 53.0, "36A": 60.8, "40A": 72.6, "48A": 99.0}
-SIZES = {"08A": 12.7, "10A": 15.875, "12A": 19.05, "16A": 25.4, "20A": 31.75, "24A": 38.1, "28A": 44.45, "32A": 50.8, "36A": 57.15, "40A": 63.5, "48A": 76.2}
 #: From 3e6 to 1e7 cycles by the exponent of the S-N line, and three standard deviations of plates below their mean.
 LOW_LIMIT = 0.3 ** 0.1 * (1. - 3. * 0.05)
 #: Powers of a demand in hp, for each speed.
@@ -194,7 +194,7 @@ def limits(plans):
     """Rows of fatigue limits, and the maker's over the program's."""
     rows, shares = [], []
     for chain, published in LIMITS.items():
-        strength = plans(chain, (17, 34), 30 * SIZES[chain], 50, 0.1)["dynamic"]
+        strength = plans(chain, (17, 34), 30 * PITCH[chain], 50, 0.1)["dynamic"]
         ours = 1e-3 * LOW_LIMIT * strength
         shares.append(published / ours)
         rows.append([chain, f"{published:.3g}", f"{1e-3 * strength:.3g}", f"{ours:.3g}", f"{published / ours:.2f}"])

@@ -6,10 +6,9 @@
 // of it it is stiffer by less than 15 %, since contact is narrower than a column there. Links keep
 // their centres of mass and directions; those at the ends are stretched to one side only. With the
 // penalty of full and meshes of equally long cells the joint is softer by more than 5 %.
-#include "../support/reduced.h"
+#include "../support/joined_links.h"
 
 #include <chaindrive/dynamics/relaxation.h>
-#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/statics/library.h>
 #include <chaindrive/statics/part_stiffness.h>
@@ -56,34 +55,7 @@ scene::Scene pulled(const Parameters   &p,
     scene.parts[inner ? scene::Kind::inner_link : scene::Kind::outer_link] =
         scene::make_link_part({p.mesh, p.material.density, scene.half, !penalty}, drive, inner);
 
-  scene::BoreFamily pins;
-  pins.name            = "bush-pin";
-  pins.elastic         = true;
-  const auto thickness = [&](const scene::Kind kind, const mesh::Surface side) {
-    const mesh::Part &part = *scene.parts.at(kind);
-    return mesh::SurfaceNodes(part, mesh::Nodes(part), side).thickness;
-  };
-  pins.law.stiffness = 0.5 * p.material.bulk_modulus() /
-                       std::max(thickness(scene::Kind::inner_link, mesh::bush_bore_first),
-                                thickness(scene::Kind::outer_link, mesh::pin_outside_first));
-  pins.half_angle = drive::largest_half_angle(0.5 * drive.chain.pin_diameter,
-                                              drive.chain.pin_clearance(),
-                                              drive::working_pressure(drive.chain, 3000.),
-                                              p.material);
-  for (unsigned int joint = 0; joint + 1 < n_links; ++joint)
-    {
-      const bool         inner_first = joint % 2 == 0;
-      const unsigned int inner       = joint + (inner_first ? 0 : 1),
-                         outer       = joint + (inner_first ? 1 : 0);
-      pins.pairs.push_back(
-          {inner,
-           dealii::Point<3>((inner_first ? 0.5 : -0.5) * drive.chain.inner_hole_pitch, 0., 0.),
-           0.5 * drive.chain.bush_bore,
-           {outer, dealii::Point<3>(), 0.5 * drive.chain.pin_diameter, joint},
-           inner_first ? mesh::bush_bore_second : mesh::bush_bore_first,
-           inner_first ? mesh::pin_outside_first : mesh::pin_outside_second});
-    }
-  scene.bores.push_back(pins);
+  scene.bores.push_back(pins_of_links(scene, drive.chain, p.material, 3000., n_links));
   return scene;
 }
 

@@ -3,10 +3,9 @@
 // bear what those of elastic ones do under the same extension, from about 500 to 2000 N. Links keep
 // their centres of mass and directions; what balances the forces on the outer ones is their
 // inertia.
-#include "../support/reduced.h"
+#include "../support/joined_links.h"
 
 #include <chaindrive/dynamics/relaxation.h>
-#include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 
 #include <deal.II/base/mpi.h>
@@ -43,15 +42,9 @@ scene::Scene pulled(const Parameters &p, const drive::Drive &drive, const double
         scene::make_link_part({p.mesh, p.material.density, scene.half}, drive, inner);
 
   scene::BoreFamily pins;
-  pins.name            = "bush-pin";
-  pins.elastic         = true;
-  const auto thickness = [&](const scene::Kind kind, const mesh::Surface side) {
-    const mesh::Part &part = *scene.parts.at(kind);
-    return mesh::SurfaceNodes(part, mesh::Nodes(part), side).thickness;
-  };
-  pins.law.stiffness = 0.5 * p.material.bulk_modulus() /
-                       std::max(thickness(scene::Kind::inner_link, mesh::bush_bore_first),
-                                thickness(scene::Kind::outer_link, mesh::pin_outside_first));
+  pins.name          = "bush-pin";
+  pins.elastic       = true;
+  pins.law.stiffness = penalty_of_pins(scene, p.material);
   for (const unsigned int joint : {0u, 1u})
     pins.pairs.push_back(
         {2 * joint,

@@ -20,49 +20,16 @@ import numpy as np
 
 import out_of_line_run
 from drive_run import below, near
-from out_of_line_run import difference
+from out_of_line_run import AT_REST, BUSH_LENGTH, DIRECTION, DRIVE, OFFSET, TILT, difference
 from program import check
 
 CASE, PROGRAM = sys.argv[1:3]
-DRIVE = {
-    "Drive/Number of links": 60,
-    "Drive/Driver teeth": 15,
-    "Drive/Driven teeth": 20,
-    "Drive/Layout/Start": "settled",
-    "Drive/Layout/Centre distance from": "slack",
-    "Drive/Layout/Slack in mm": 2,
-    "Model/Fidelity": "layered",
-    "Model/Driven inertia in kg m2": 2e-3,
-    "Loads/Driver speed in rad/s": 60,
-    "Loads/Resisting torque in N m": 40,
-    "Contact/Damping ratio": 0.1,
-    "Output/Rollers": "all",
-    "Output/History interval in us": 100,
-    "Output/History precision": "double",
-    "Output/Field interval in ms": 0,
-    "Output/Window start in ms": 0,
-    "Time/End time in ms": 10,
-}
-OFFSET, TILT, DIRECTION = (f"Drive/Wheels/driven/{name}" for name in ("Axial offset in mm", "Tilt in degrees", "Tilt direction in degrees"))
-
-
 run = functools.partial(out_of_line_run.run, DRIVE, PROGRAM)
 
 
 def static():
     for stiffness in (4e6, 3e7):
-        at_rest = {
-            OFFSET: 3,
-            "Model/Stiffness per pitch in N/m": stiffness,
-            "Loads/Driver speed in rad/s": 0,
-            "Loads/Drag in 1/s": 500,
-            "Contact/Damping ratio": 0.3,
-            "Contact/Friction coefficient": 0,
-            "Contact/Bush-pin friction": 0.3,  # joints do not slide along their pins
-            "Effects/Gravity": "off",
-            "Time/End time in ms": 80,
-            "Output/Window start in ms": 75,
-        }
+        at_rest = {**AT_REST, OFFSET: 3, "Model/Stiffness per pitch in N/m": stiffness}
         histories, summary = run("static", at_rest)
         n, drive = DRIVE["Drive/Number of links"], summary["drive"]
         links = drive["spans"][-1]["links"]
@@ -73,8 +40,7 @@ def static():
         span = list(range(n - links, n))
         length = math.hypot(x[0] - x[n - links], y[0] - y[n - links])
         at = length * (np.arange(links) + 0.5) / links - 0.5 * length  # of the links' centres, from the middle
-        bush_length = 9.94e-3  # of the 525 chain: distance of the mid-surfaces of its plates
-        decay = math.sqrt(stiffness * bush_length**2 / 12 * length / links / tension)
+        decay = math.sqrt(stiffness * BUSH_LENGTH**2 / 12 * length / links / tension)
         inside = slice(2, -2)
         basis = np.stack([np.ones(links), at, np.cosh(at / decay), np.sinh(at / decay)], axis=1)
         rate = np.linalg.lstsq(basis[inside], z[span][inside], rcond=None)[0]

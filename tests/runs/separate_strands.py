@@ -31,43 +31,12 @@ import numpy as np
 import out_of_line_run
 import program
 from drive_run import below, near
-from out_of_line_run import difference
+from out_of_line_run import AT_REST, BUSH_LENGTH, DIRECTION, OFFSET, TILT, difference
 from program import check
 
 CASE, PROGRAM = sys.argv[1:3]
-DRIVE = {
-    "Drive/Number of links": 60,
-    "Drive/Driver teeth": 15,
-    "Drive/Driven teeth": 20,
-    "Drive/Chain/Strands": 2,
-    "Drive/Layout/Start": "settled",
-    "Drive/Layout/Centre distance from": "slack",
-    "Drive/Layout/Slack in mm": 2,
-    "Model/Fidelity": "layered",
-    "Model/Driven inertia in kg m2": 4e-3,
-    "Loads/Driver speed in rad/s": 60,
-    "Loads/Resisting torque in N m": 80,
-    "Contact/Damping ratio": 0.1,
-    "Output/Rollers": "all",
-    "Output/History interval in us": 100,
-    "Output/History precision": "double",
-    "Output/Field interval in ms": 0,
-    "Output/Window start in ms": 0,
-    "Time/End time in ms": 10,
-}
+DRIVE = {**out_of_line_run.DRIVE, "Drive/Chain/Strands": 2, "Model/Driven inertia in kg m2": 4e-3, "Loads/Resisting torque in N m": 80}
 STRANDS, LINKS, STIFFNESS = "Drive/Chain/Strands", "Drive/Number of links", "Model/Stiffness per pitch in N/m"
-OFFSET, TILT, DIRECTION = (f"Drive/Wheels/driven/{name}" for name in ("Axial offset in mm", "Tilt in degrees", "Tilt direction in degrees"))
-AT_REST = {
-    "Loads/Driver speed in rad/s": 0,
-    "Loads/Drag in 1/s": 500,
-    "Contact/Damping ratio": 0.3,
-    "Contact/Friction coefficient": 0,
-    "Contact/Bush-pin friction": 0.3,  # joints do not slide along their pins
-    "Effects/Gravity": "off",
-    "Time/End time in ms": 80,
-    "Output/Window start in ms": 75,
-}
-BUSH_LENGTH = 9.94e-3  # of the 525 chain: distance of the mid-surfaces of its plates, m
 PIN_RADIUS, TANGENTIAL = 2.62e-3, 0.8  # m; Contact/Tangential ratio
 TIGHT = "spans/driven_to_driver_tension_by_strand"
 
