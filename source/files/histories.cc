@@ -2,6 +2,7 @@
 #include <chaindrive/files/file.h>
 #include <chaindrive/files/histories.h>
 #include <chaindrive/files/history_file.h>
+#include <chaindrive/files/packed_rows.h>
 #include <chaindrive/files/saved_rows.h>
 
 #include <deal.II/base/exceptions.h>
@@ -64,6 +65,7 @@ struct Histories::Data
   Clock::time_point                last_write = Clock::now();
   std::vector<std::vector<double>> values; ///< of the rows in memory, one table per channel
   std::optional<SavedRows>         saved;
+  std::optional<PackedRows>        packed;
 
   std::vector<TableInfo> tables() const
   {
@@ -90,6 +92,7 @@ struct Histories::Data
     for (const Channel &channel : channels)
       values.emplace_back(block * channel.columns);
     saved.emplace(prefix, tables(), block);
+    packed.emplace(tables(), block);
   }
 
   void open()
@@ -153,6 +156,7 @@ struct Histories::Data
   {
     file->write(written, kept, values);
     write_csv();
+    packed->add(written, kept, values);
     written += kept;
     kept       = 0;
     last_write = Clock::now();
@@ -289,7 +293,7 @@ std::string Histories::compress()
 {
   Data &d = *data_;
   return d.file && d.written > 0 ?
-             HistoryFile::compress(d.prefix + ".h5", d.attributes, d.tables(), d.block) :
+             HistoryFile::compress(d.prefix + ".h5", d.attributes, d.tables(), *d.packed) :
              "";
 }
 } // namespace chaindrive::files

@@ -2,17 +2,16 @@
 #include <chaindrive/files/file.h>
 #include <chaindrive/files/hdf5_object.h>
 #include <chaindrive/files/history_file.h>
+#include <chaindrive/files/packed_rows.h>
 #include <chaindrive/utilities/errors.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <hdf5.h>
-#include <libdeflate.h>
 #include <limits>
 #include <memory>
 #include <new>
@@ -180,101 +179,18 @@ struct HistoryFile::Data
     return {std::move(memory), std::move(space)};
   }
 
-  using Packer = std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor *)>;
-
-  /// Packs @p width planes of @p size bytes each, the least significant first, as a stream of
-  /// zlib's format into @p to, which has as much room as they take; returns its length, or 0 if
-  /// that is too little. The first planes are stored as long as they hardly shrink: most digits
-  /// of what is simulated do not, and would take most of the time.
-  static std::size_t pack_planes(const Packer               &packer,
-                                 const std::size_t           width,
-                                 const std::size_t           size,
-                                 const unsigned char        *planes,
-                                 std::vector<unsigned char> &to)
+  /// Writes the chunks of the block that begins with row @p first.
+  void put(const std::size_t first, const std::vector<PackedChunk> &chunks)
   {
-    constexpr std::size_t longest = 65535, piece = 1 << 12, checksum_size = 4;
-    const std::size_t     bytes = width * size;
-    const auto            pays  = [&](const unsigned char *plane) {
-      if (size <= piece)
-        return true;
-      const std::size_t room = 7 * piece / 8;
-      unsigned char     packed[piece];
-      return libdeflate_deflate_compress(
-                 packer.get(), plane + (size - piece) / 2, piece, packed, room) > 0;
-    };
-    std::size_t stored = 0, at = 2;
-    while (stored + 1 < width && !pays(planes + stored * size))
-      ++stored;
-    if (to.size() < 2 + stored * (size + 5 * (size / longest + 1)) + checksum_size)
-      return 0;
-    to[0] = 0x78;
-    to[1] = 0x01;
-    for (std::size_t from = 0, length; from < stored * size; from += length)
-      {
-        length   = std::min(longest, stored * size - from);
-        to[at++] = 0; // a stored block, not the last one
-        for (const std::size_t half : {length, ~length})
-          {
-            to[at++] = half & 0xff;
-            to[at++] = (half >> 8) & 0xff;
-          }
-        std::copy_n(planes + from, length, to.begin() + at);
-        at += length;
-      }
-    const std::size_t rest = libdeflate_deflate_compress(packer.get(),
-                                                         planes + stored * size,
-                                                         bytes - stored * size,
-                                                         &to[at],
-                                                         to.size() - at - checksum_size);
-    if (rest == 0)
-      return 0;
-    at += rest;
-    const std::uint32_t adler = libdeflate_adler32(1, planes, bytes);
-    for (const int shift : {24, 16, 8, 0})
-      to[at++] = (adler >> shift) & 0xff;
-    return at;
-  }
-
-  /// Writes a block of @p n rows from row @p first on as the library's filters would, in a quarter
-  /// of the time: shuffled, that is sorted by the significance of bytes, and packed.
-  void pack(const std::size_t first, const std::size_t n, std::vector<std::vector<double>> &values)
-  {
-    constexpr int level = 1; // a hundredth larger than by zlib at 4
-    const Packer  packer(libdeflate_alloc_compressor(level), &libdeflate_free_compressor);
-    if (packer == nullptr)
-      throw std::bad_alloc();
+    constexpr unsigned not_deflated = 1U << 1; // of the filters shuffle and deflate the second
+    const hsize_t      start[2]     = {first, 0};
     for (std::size_t t = 0; t < tables.size(); ++t)
-      {
-        const std::size_t size = block * columns[t], width = single[t] ? 4 : 8,
-                          bytes = size * width;
-        std::fill(values[t].begin() + n * columns[t],
-                  values[t].end(),
-                  std::numeric_limits<double>::quiet_NaN());
-        std::vector<unsigned char> shuffled(bytes), packed(bytes);
-        for (std::size_t i = 0; i < size; ++i)
-          {
-            unsigned char number[8];
-            if (single[t])
-              {
-                const auto value = static_cast<float>(values[t][i]);
-                std::memcpy(number, &value, 4);
-              }
-            else
-              std::memcpy(number, &values[t][i], 8);
-            for (std::size_t b = 0; b < width; ++b)
-              shuffled[b * size + i] = number[b];
-          }
-        const std::size_t  packed_size = pack_planes(packer, width, size, shuffled.data(), packed);
-        const bool         larger      = packed_size == 0;
-        const hsize_t      start[2]    = {first, 0};
-        constexpr unsigned not_packed  = 1U << 1; // of the filters shuffle and deflate the second
-        check(H5Dwrite_chunk(tables[t],
-                             H5P_DEFAULT,
-                             larger ? not_packed : 0,
-                             start,
-                             larger ? bytes : packed_size,
-                             larger ? shuffled.data() : packed.data()));
-      }
+      check(H5Dwrite_chunk(tables[t],
+                           H5P_DEFAULT,
+                           chunks[t].deflated ? 0 : not_deflated,
+                           start,
+                           chunks[t].bytes.size(),
+                           chunks[t].bytes.data()));
   }
 
   void make(const Attributes &attributes, const std::vector<TableInfo> &infos)
@@ -354,7 +270,7 @@ HistoryFile::HistoryFile() : data_(std::make_unique<Data>()) {}
 std::string HistoryFile::compress(const std::string            &path,
                                   const Attributes             &attributes,
                                   const std::vector<TableInfo> &tables,
-                                  const std::size_t             block)
+                                  const PackedRows             &packed)
 {
   const std::string part = path + ".part";
   std::string       why;
@@ -365,18 +281,23 @@ std::string HistoryFile::compress(const std::string            &path,
       d.path        = part;
       d.compressed  = true;
       d.rows        = from.n_rows();
-      d.block       = std::clamp<std::size_t>(block, 1, std::max<std::size_t>(d.rows, 1));
+      d.block       = std::clamp<std::size_t>(packed.block(), 1, std::max<std::size_t>(d.rows, 1));
       d.make(attributes, tables);
+      RowPacker                        packer(tables, d.block);
       std::vector<std::vector<double>> values;
-      values.reserve(tables.size());
-      for (const TableInfo &table : tables)
-        values.emplace_back(d.block * table.columns);
       for (std::size_t first = 0; first < d.rows; first += d.block)
-        {
-          const std::size_t n = std::min(d.block, d.rows - first);
-          from.read(first, n, values);
-          d.pack(first, n, values);
-        }
+        if (const std::vector<PackedChunk> *chunks = packed.find(first);
+            chunks != nullptr && d.block == packed.block())
+          d.put(first, *chunks);
+        else
+          {
+            const std::size_t n = std::min(d.block, d.rows - first);
+            values.resize(tables.size());
+            for (std::size_t t = 0; t < tables.size(); ++t)
+              values[t].resize(d.block * tables[t].columns);
+            from.read(first, n, values);
+            d.put(first, packer.pack(n, values));
+          }
       to.close(d.rows);
       sync_file(part); // its name must not be there before its content
       if (std::rename(part.c_str(), path.c_str()) == 0)

@@ -21,6 +21,8 @@ struct TableInfo
   bool                     single = false; ///< stored in single precision
 };
 
+class PackedRows;
+
 /// An HDF5 file of tables that all have the same rows. Space for the rows is taken and filled with
 /// NaN when the file is made, so that afterwards only numbers are replaced: the file is valid at
 /// every instant, and other programs may read it meanwhile.
@@ -38,13 +40,14 @@ public:
               std::size_t                   block);
 
   /// Puts a compressed copy in the place of the complete file @p path, which has these tables, all
-  /// at once: a reader finds one or the other. Pieces of @p block rows are shuffled and deflated,
-  /// which every HDF5 library reads. Where there is no room for the copy, or another program has
-  /// locked, cut or removed the file, that stays as it is. Returns why, a sentence, or nothing.
+  /// at once: a reader finds one or the other. Blocks of rows are shuffled and deflated, which
+  /// every HDF5 library reads: those that are @p packed are taken from there, the others read.
+  /// Where there is no room for the copy, or another program has locked, cut or removed the file,
+  /// that stays as it is. Returns why, a sentence, or nothing.
   static std::string compress(const std::string            &path,
                               const Attributes             &attributes,
                               const std::vector<TableInfo> &tables,
-                              std::size_t                   block);
+                              const PackedRows             &packed);
 
   /// Opens a complete file to read these tables of it; InputError when it has them not, or other
   /// numbers of columns.
