@@ -22,9 +22,9 @@ void add_layered_chain(const model::Model &model, const drive::Drive &drive, Sce
   if (model.effects.is_on(Effect::fields))
     {
       if (drive.chain.has_rollers)
-        scene.parts[Kind::roller] = make_roller_part(model.meshes, drive);
-      scene.parts[Kind::inner_link] = make_link_part(model.meshes, drive, true);
-      scene.parts[Kind::outer_link] = make_link_part(model.meshes, drive, false);
+        scene.parts[Kind::roller] = make_roller_part(model.meshes, drive, MeshUse::picture);
+      scene.parts[Kind::inner_link] = make_link_part(model.meshes, drive, true, MeshUse::picture);
+      scene.parts[Kind::outer_link] = make_link_part(model.meshes, drive, false, MeshUse::picture);
     }
 }
 

@@ -13,14 +13,19 @@ std::shared_ptr<const mesh::Part> shared(mesh::Part &&part)
 {
   return std::make_shared<const mesh::Part>(std::move(part));
 }
+
+/// Cells across the chain that what is swept along z needs; halves have half of them.
+unsigned int fewest(const model::Meshes &meshes) { return meshes.half ? 2 : 1; }
 } // namespace
 
-std::shared_ptr<const mesh::Part> make_roller_part(const model::Meshes &meshes,
-                                                   const drive::Drive  &drive)
+std::shared_ptr<const mesh::Part>
+make_roller_part(const model::Meshes &meshes, const drive::Drive &drive, const MeshUse use)
 {
   const parameters::Mesh &cells = meshes.cells;
-  const mesh::RollerGrid  level(cells.refinement);
+  mesh::RollerGrid        level(cells.refinement);
   drive::ChainDimensions  chain = drive.chain;
+  if (use == MeshUse::picture)
+    level.along = fewest(meshes);
   if (!chain.has_rollers) // the bush between the plates
     chain.roller_bore = chain.bush_bore;
   return shared(mesh::make_roller(chain,
@@ -31,8 +36,10 @@ std::shared_ptr<const mesh::Part> make_roller_part(const model::Meshes &meshes,
                                    meshes.half}));
 }
 
-std::shared_ptr<const mesh::Part>
-make_link_part(const model::Meshes &meshes, const drive::Drive &drive, const bool inner)
+std::shared_ptr<const mesh::Part> make_link_part(const model::Meshes &meshes,
+                                                 const drive::Drive  &drive,
+                                                 const bool           inner,
+                                                 const MeshUse        use)
 {
   const parameters::Mesh::Link &cells = inner ? meshes.cells.inner_link : meshes.cells.outer_link;
   mesh::LinkGrid                grid  = inner ? mesh::inner_link_grid(meshes.cells.refinement) :
@@ -51,6 +58,12 @@ make_link_part(const model::Meshes &meshes, const drive::Drive &drive, const boo
     }
   grid.along = cells.along.value_or(grid.along);
 
+  if (use == MeshUse::picture)
+    {
+      grid.along        = cells.along.value_or(fewest(meshes));
+      grid.plate_layers = cells.plate_layers.value_or(1);
+    }
+
   const double density = meshes.density;
   return shared(inner ? mesh::make_inner_link(drive.chain, density, grid) :
                         mesh::make_outer_link(drive.chain, density, grid));
@@ -58,7 +71,8 @@ make_link_part(const model::Meshes &meshes, const drive::Drive &drive, const boo
 
 std::shared_ptr<const mesh::Part> make_sprocket_part(const model::Meshes   &meshes,
                                                      const drive::Drive    &drive,
-                                                     const drive::Sprocket &sprocket)
+                                                     const drive::Sprocket &sprocket,
+                                                     const MeshUse          use)
 {
   const mesh::SprocketDimensions dimensions{sprocket.bore,
                                             sprocket.hub_diameter,
@@ -69,6 +83,7 @@ std::shared_ptr<const mesh::Part> make_sprocket_part(const model::Meshes   &mesh
                           dimensions,
                           meshes.density,
                           meshes.cells.sprocket_refinement.value_or(meshes.cells.refinement),
-                          meshes.half));
+                          meshes.half,
+                          use == MeshUse::picture));
 }
 } // namespace chaindrive::scene

@@ -41,7 +41,7 @@ void add_simple_chain(const model::Model &model, const drive::Drive &drive, Scen
       scene.bodies.push_back(roller);
     }
   if (model.effects.is_on(Effect::fields))
-    scene.parts[Kind::roller] = make_roller_part(model.meshes, drive);
+    scene.parts[Kind::roller] = make_roller_part(model.meshes, drive, MeshUse::picture);
 
   const double k = model.stiffness_per_pitch;
   // of two lumps on one bar: reduced mass m/2

@@ -46,7 +46,8 @@ std::shared_ptr<const mesh::Part> sprocket_part(const model::Model             &
       return part;
     }
   if (model.effects.is_on(Effect::fields) || elastic)
-    return make_sprocket_part(model.meshes, drive, sprocket);
+    return make_sprocket_part(
+        model.meshes, drive, sprocket, elastic ? MeshUse::elastic : MeshUse::picture);
   return nullptr;
 }
 

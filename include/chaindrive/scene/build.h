@@ -170,12 +170,25 @@ void make_compliant(ToothFamily    &teeth,
                     double          load,
                     const Material &steel);
 
+/// What a mesh is made for: to be elastic, or only for field output, where one cell reaches across
+/// the chain from face to face unless the entries of the mesh say otherwise.
+enum class MeshUse
+{
+  elastic,
+  picture
+};
+
 /// Meshes of parts; of a chain without rollers that of a roller is its bush between the plates.
-std::shared_ptr<const mesh::Part> make_roller_part(const model::Meshes &, const drive::Drive &);
 std::shared_ptr<const mesh::Part>
-make_link_part(const model::Meshes &, const drive::Drive &, bool inner);
-std::shared_ptr<const mesh::Part>
-make_sprocket_part(const model::Meshes &, const drive::Drive &, const drive::Sprocket &);
+make_roller_part(const model::Meshes &, const drive::Drive &, MeshUse use = MeshUse::elastic);
+std::shared_ptr<const mesh::Part> make_link_part(const model::Meshes &,
+                                                 const drive::Drive &,
+                                                 bool    inner,
+                                                 MeshUse use = MeshUse::elastic);
+std::shared_ptr<const mesh::Part> make_sprocket_part(const model::Meshes &,
+                                                     const drive::Drive &,
+                                                     const drive::Sprocket &,
+                                                     MeshUse use);
 
 /// A penalty law for an interface of stiffness @p k [N/m] and this coefficient of @p friction
 /// between bodies whose reduced mass is @p mass [kg]: damping and tangential terms from @p contact.

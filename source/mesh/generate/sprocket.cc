@@ -300,10 +300,14 @@ Part make_sprocket(const drive::ToothForm   &form,
                    const SprocketDimensions &dimensions,
                    const double              density,
                    const unsigned int        refinement,
-                   const bool                half)
+                   const bool                half,
+                   const bool                picture)
 {
   constexpr unsigned int n_levels           = 5;
   constexpr unsigned int n_layers[n_levels] = {2, 2, 4, 6, 8};
+  const unsigned int     layers = !picture ? n_layers[std::min(refinement, n_levels - 1)] :
+                                  half     ? 2 :
+                                             1;
 
   const double middle     = 0.5 * (0.5 * dimensions.hub_diameter + 0.5 * dimensions.bore);
   const auto   surface_of = [middle](Component, const Point<3> &centre, const bool end_face) {
@@ -319,7 +323,7 @@ Part make_sprocket(const drive::ToothForm   &form,
   part.half      = half;
   part.mesh      = sweep(
       sprocket_section(form, dimensions, refinement),
-      planes_of(0.5 * dimensions.width, n_layers[std::min(refinement, n_levels - 1)], half),
+      planes_of(0.5 * dimensions.width, layers, half),
       [](Component, unsigned int) { return true; },
       surface_of);
   part.exact = drive::sprocket_solid(form, dimensions.bore, dimensions.width, density);

@@ -27,10 +27,11 @@ PlanarMesh sprocket_section(const drive::ToothForm   &form,
 
 /// A sprocket of hexahedra, exactly cyclic (see Part::n_sectors): origin on the axis in the middle
 /// plane, gap 0 centred on +x. Throws InputError for sizes that do not fit. Refinement levels 0
-/// to 4. For @p half see Part::half.
+/// to 4. For @p half see Part::half. A @p picture has one cell from face to face.
 Part make_sprocket(const drive::ToothForm   &form,
                    const SprocketDimensions &dimensions,
                    double                    density,
                    unsigned int              refinement,
-                   bool                      half = false);
+                   bool                      half    = false,
+                   bool                      picture = false);
 } // namespace chaindrive::mesh
