@@ -15,6 +15,15 @@ namespace
 /// What a place without a contact has for room, m: it never touches. Of a roller its radius.
 constexpr double no_room = 1e100;
 
+/// Whether one of n_lanes numbers is.
+bool any_below_zero(const double *numbers)
+{
+  unsigned int n = 0;
+  for (unsigned int lane = 0; lane < n_lanes; ++lane)
+    n += static_cast<unsigned int>(numbers[lane] < 0.);
+  return n > 0;
+}
+
 /// The number of pairs of each contact, of which the pair after pair i belongs to the same one if
 /// @p same(i); 0 if there are more in one than in another.
 template <typename Same>
@@ -186,14 +195,14 @@ void PlanarContact::add_joint_forces(std::vector<dealii::Tensor<1, 3>> &forces) 
 
 double PlanarContact::add_normal_forces(std::vector<double> &forces) const
 {
-  double        deepest = 0.;
   const double *normal = of(planar_touch_normal), *penetration = of(planar_touch_penetration);
   for (unsigned int place = 0; place < n_places(); ++place) // nothing where there is no contact
-    {
-      forces[joint_[place]] += normal[place];
-      deepest = std::max(deepest, penetration[place]);
-    }
-  return deepest;
+    forces[joint_[place]] += normal[place];
+  std::array<double, n_lanes> deepest{}; // of every eighth, which do not wait for each other
+  for (unsigned int first = 0; first < n_places(); first += n_lanes)
+    for (unsigned int lane = 0; lane < n_lanes; ++lane)
+      deepest[lane] = std::max(deepest[lane], penetration[first + lane]);
+  return *std::max_element(deepest.begin(), deepest.end());
 }
 
 double PlanarContact::deepest() const
@@ -214,22 +223,31 @@ const std::vector<SurfaceContact::Press> &PlanarContact::presses() const
   presses_.clear();
   const double  share = 1. / multiplicity_;
   const double *gap   = of(planar_touch_gap);
-  for (unsigned int place = 0; place < n_places(); ++place)
-    if (gap[place] < 0. && first_pair_[place] != none)
-      {
-        const double normal     = share * of(planar_touch_normal)[place],
-                     tangential = share * of(planar_touch_tangential)[place];
-        const double x          = of(planar_touch_direction)[place],
-                     y          = of(planar_touch_direction + 1)[place];
-        Press press{
-            slave_[place], joint_[place], feature_at(place), multiplicity_, 0., gap[place], {}, {}};
-        press.force[0]     = normal * x - tangential * y;
-        press.force[1]     = normal * y + tangential * x;
-        press.direction[0] = x;
-        press.direction[1] = y;
-        press.normal       = press.force * press.direction;
-        presses_.push_back(press);
-      }
+  for (unsigned int first = 0; first < n_places(); first += n_lanes)
+    for (unsigned int place = any_below_zero(gap + first) ? first : first + n_lanes;
+         place < first + n_lanes;
+         ++place)
+      if (gap[place] < 0. && first_pair_[place] != none)
+        {
+          const double normal     = share * of(planar_touch_normal)[place],
+                       tangential = share * of(planar_touch_tangential)[place];
+          const double x          = of(planar_touch_direction)[place],
+                       y          = of(planar_touch_direction + 1)[place];
+          Press press{slave_[place],
+                      joint_[place],
+                      feature_at(place),
+                      multiplicity_,
+                      0.,
+                      gap[place],
+                      {},
+                      {}};
+          press.force[0]     = normal * x - tangential * y;
+          press.force[1]     = normal * y + tangential * x;
+          press.direction[0] = x;
+          press.direction[1] = y;
+          press.normal       = press.force * press.direction;
+          presses_.push_back(press);
+        }
   return presses_;
 }
 

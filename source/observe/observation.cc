@@ -5,6 +5,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace chaindrive::observe
@@ -19,7 +20,16 @@ Observation::Observation(const scene::Scene     &scene,
     , rollers(model.output.rollers)
     , spans_(scene, system)
     , window_(scene, model, pitches_per_period)
+    , tooth_periods_(window_.start(), window_.end())
 {
+  const auto &hubs = system.world.hubs;
+  const auto  driver =
+      std::find_if(hubs.begin(), hubs.end(), [](const World::Hub &hub) { return hub.prescribed; });
+  if (driver != hubs.end() && !scene.drive.sprockets.empty())
+    {
+      driver_ = &*driver;
+      teeth_  = scene.drive.driver().sense * double(scene.drive.driver().teeth);
+    }
   if (rollers.empty())
     {
       rollers.resize(scene.drive.n_joints);
@@ -33,7 +43,7 @@ void Observation::next(const double dt, dynamics::Services *services)
 {
   dt_          = dt;
   services_    = services;
-  spans_known_ = pressures_known_ = false;
+  spans_known_ = pressures_known_ = tooth_pieces_known_ = false;
   window_.update(*this);
 }
 
@@ -68,6 +78,19 @@ const std::vector<std::vector<double>> &Observation::pressures() const
       pressure = *next++;
   pressures_known_ = true;
   return pressures_;
+}
+
+const std::vector<WholeRevolutions::Piece> &Observation::tooth_pieces() const
+{
+  if (!tooth_pieces_known_)
+    {
+      if (window_.settled()) // since when is not known from the start
+        tooth_periods_.move_to(window_.start(), window_.end());
+      tooth_pieces_ = &tooth_periods_.next(
+          time() - dt_, dt_, driver_ != nullptr ? teeth_ * driver_->angle : 0.);
+    }
+  tooth_pieces_known_ = true;
+  return *tooth_pieces_;
 }
 
 const Spans &Observation::spans() const

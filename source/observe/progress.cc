@@ -69,9 +69,11 @@ Progress::~Progress() { log_.show_status(""); }
 void Progress::update(const double time)
 {
   const double done = (time - start_) / (end_ - start_);
-  const auto   now  = Clock::now();
   const int    step = static_cast<int>(done * steps + 1e-9);
   const bool   line = step > reported_;
+  if (!line && !terminal_)
+    return;
+  const auto now = Clock::now();
   using namespace std::chrono_literals;
   const bool rewrite = terminal_ && now - shown_ > 200ms;
   if (!line && !rewrite)

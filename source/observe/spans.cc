@@ -46,6 +46,17 @@ Spans::Spans(const scene::Scene     &scene,
   driver_   = shaft_of(scene.bodies[strand.driver().body]);
   mirrored_ = strand.tight().normal -
               2. * (strand.tight().normal * strand.tight().along) * strand.tight().along;
+  const PlanarBodies *in_plane = system.world.planar;
+  bool                flat     = in_plane != nullptr && strand.bushes.empty() && mirrored_[2] == 0.;
+  for (const scene::Span &span : strand.spans)
+    flat = flat && span.normal[2] == 0. && span.direction[2] == 0.;
+  for (unsigned int k = 0; flat && k < strand.n_joints; ++k)
+    {
+      slots_.push_back(in_plane->slot_of(strand.rollers[k]));
+      flat = slots_.back() != PlanarBodies::none;
+    }
+  if (!flat)
+    slots_.clear();
   joints_ = system.contacts.find({scene::Interface::bush_pin, 0, strand.strand});
   if (joints_.empty())
     return;
@@ -163,6 +174,37 @@ void Spans::find_members(const World &world)
     }
 }
 
+void Spans::add_link(const World       &world,
+                     const unsigned int k,
+                     Span              &span,
+                     const scene::Span &along) const
+{
+  const unsigned int         next = k + 1 < drive_.n_joints ? k + 1 : 0;
+  const dealii::Tensor<1, 3> arm  = roller_position(drive_, world, k) - driver_;
+  span.tension += tension_[k];
+  span.speed += 0.5 * (roller_velocity(drive_, world, k) + roller_velocity(drive_, world, next)) *
+                along.direction;
+  span.offset += arm * along.normal;
+  span.inward += arm * mirrored_;
+}
+
+void Spans::add_link_in_plane(const PlanarBodies &planar,
+                              const unsigned int  k,
+                              Span               &span,
+                              const scene::Span  &along) const
+{
+  const unsigned int         next  = k + 1 < drive_.n_joints ? k + 1 : 0;
+  const dealii::Tensor<1, 2> at    = planar.position(slots_[k]);
+  const dealii::Tensor<1, 2> speed = planar.velocity(slots_[k]),
+                             then  = planar.velocity(slots_[next]);
+  const double x = at[0] - driver_[0], y = at[1] - driver_[1];
+  span.tension += tension_[k];
+  span.speed += 0.5 * (speed[0] + then[0]) * along.direction[0] +
+                0.5 * (speed[1] + then[1]) * along.direction[1];
+  span.offset += x * along.normal[0] + y * along.normal[1];
+  span.inward += x * mirrored_[0] + y * mirrored_[1];
+}
+
 void Spans::update(const dynamics::System &system)
 {
   const unsigned int n = drive_.n_joints;
@@ -176,17 +218,10 @@ void Spans::update(const dynamics::System &system)
   std::fill(n_links_.begin(), n_links_.end(), 0);
   for (const auto &[k, s] : members_)
     {
-      const unsigned int         next  = k + 1 < n ? k + 1 : 0;
-      const dealii::Tensor<1, 3> arm   = roller_position(drive_, system.world, k) - driver_;
-      const scene::Span         &along = drive_.spans[s];
-      Span                      &span  = spans_[s];
-      span.tension += tension_[k];
-      span.speed +=
-          0.5 *
-          (roller_velocity(drive_, system.world, k) + roller_velocity(drive_, system.world, next)) *
-          along.direction;
-      span.offset += arm * along.normal;
-      span.inward += arm * mirrored_;
+      if (slots_.empty())
+        add_link(system.world, k, spans_[s], drive_.spans[s]);
+      else
+        add_link_in_plane(*system.world.planar, k, spans_[s], drive_.spans[s]);
       ++n_links_[s];
     }
   for (unsigned int s = 0; s < spans_.size(); ++s)

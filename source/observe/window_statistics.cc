@@ -14,16 +14,8 @@ namespace chaindrive::observe
 {
 // a last step may end a little later than the run: a run that goes on counts all of it
 WindowStatistics::WindowStatistics(const Observation &now, const std::vector<Signal> &signals)
-    : now_(now), tooth_periods_(now.window().start(), now.window().end())
+    : now_(now)
 {
-  const auto &hubs = now.system.world.hubs;
-  const auto  driver =
-      std::find_if(hubs.begin(), hubs.end(), [](const World::Hub &hub) { return hub.prescribed; });
-  if (driver != hubs.end() && !now.scene.drive.sprockets.empty())
-    {
-      driver_ = &*driver;
-      teeth_  = now.scene.drive.driver().sense * double(now.scene.drive.driver().teeth);
-    }
   for (const Signal &signal : signals)
     items_.push_back({signal, SignalStatistics(now.window().start(), now.window().end()), {}});
 }
@@ -34,13 +26,9 @@ void WindowStatistics::add(const double *values, [[maybe_unused]] const std::siz
   const Window &window = now_.window();
   const double  begin  = now_.time() - now_.dt();
   if (window.settled()) // since when is not known from the start
-    {
-      tooth_periods_.move_to(window.start(), window.end());
-      for (Item &item : items_)
-        item.statistics.move_to(window.start(), window.end());
-    }
-  const auto &pieces =
-      tooth_periods_.next(begin, now_.dt(), driver_ != nullptr ? teeth_ * driver_->angle : 0.);
+    for (Item &item : items_)
+      item.statistics.move_to(window.start(), window.end());
+  const auto &pieces = now_.tooth_pieces();
   for (Item &item : items_)
     {
       item.statistics.add(begin, now_.dt(), *values, pieces);
@@ -59,7 +47,7 @@ double WindowStatistics::mean(const std::string &name) const
 void WindowStatistics::summarize(files::Json &summary) const
 {
   files::Json &all         = summary["statistics"];
-  all["tooth_periods"]     = tooth_periods_.n_revolutions();
+  all["tooth_periods"]     = now_.tooth_periods().n_revolutions();
   const unsigned int least = now_.window().pitches_per_period();
   for (const auto &[signal, statistics, periods] : items_)
     all[signal.name] = {{"unit", signal.unit},
@@ -68,7 +56,7 @@ void WindowStatistics::summarize(files::Json &summary) const
                         {"deviation", statistics.deviation()},
                         {"least", statistics.least()},
                         {"largest", statistics.largest()},
-                        {"harmonics", statistics.harmonics(tooth_periods_.n_revolutions())}};
+                        {"harmonics", statistics.harmonics(now_.tooth_periods().n_revolutions())}};
 }
 
 std::vector<files::Described> WindowStatistics::members(const std::vector<Signal> &signals)
@@ -95,8 +83,8 @@ void WindowStatistics::serialize(const Archive &archive)
 {
   const Window &window = now_.window();
   const double  time   = now_.time();
-  tooth_periods_.move_to(window.start(), window.end());
-  archive("tooth periods", tooth_periods_.state());
+  now_.tooth_periods().move_to(window.start(), window.end());
+  archive("tooth periods", now_.tooth_periods().state());
   for (auto &[signal, statistics, periods] : items_)
     {
       archive(signal.name + " per tooth period", periods);

@@ -70,15 +70,19 @@ std::vector<Wrap::Place> Wrap::places(const World &world) const
   const dealii::Tensor<1, 3> axis     = contact::axis_of(sprocket, 2);
   const double               turned = std::atan2(sprocket.rotation[1][0], sprocket.rotation[0][0]);
   const double               middle = std::atan2(middle_[1], middle_[0]);
+  const double               farthest     = outer_radius_ + 2. * scene_.drive.pitch;
+  const double               least_cosine = std::cos(half_angle_);
   std::vector<Place>         found;
   Frame                      room;
   for (unsigned int k = 0; k < scene_.drive.n_joints; ++k)
     {
       const dealii::Tensor<1, 3> arm =
           scene_.drive.roller(k, world.frames, room).position - sprocket.position;
+      // the square tells of most, but for round-off
+      if (arm[0] * arm[0] + arm[1] * arm[1] > (1. + 1e-9) * farthest * farthest)
+        continue;
       const double radius = std::hypot(arm[0], arm[1]);
-      if (radius > outer_radius_ + 2. * scene_.drive.pitch ||
-          arm * middle_ < radius * std::cos(half_angle_))
+      if (radius > farthest || arm * middle_ < radius * least_cosine)
         continue;
       const double angle = middle + wrapped(std::atan2(arm[1], arm[0]) - middle);
       const double gap   = sense_ * (angle - turned) * teeth_ / (2. * PI);

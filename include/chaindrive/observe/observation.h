@@ -7,6 +7,7 @@
 #include <chaindrive/observe/spans.h>
 #include <chaindrive/observe/window.h>
 #include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/signal_statistics.h>
 
 #include <vector>
 
@@ -43,6 +44,13 @@ public:
   /// contacts.
   const Spans &spans() const;
 
+  /// The pieces of the step that lie in the window, each within a tooth period: the phase is the
+  /// driver's angle times its number of teeth. To be asked for at every step, or at none.
+  const std::vector<WholeRevolutions::Piece> &tooth_pieces() const;
+
+  /// What that counts.
+  WholeRevolutions &tooth_periods() const { return tooth_periods_; }
+
   /// The largest contact pressure [family][joint] by all families of contacts, Pa; empty of those
   /// that know none: of all ranks on the first one. Collective once a step.
   const std::vector<std::vector<double>> &pressures() const;
@@ -60,11 +68,15 @@ public:
   std::vector<unsigned int> roller_bodies; ///< their bodies
 
 private:
-  double                                   dt_       = 0.;
-  dynamics::Services                      *services_ = nullptr; ///< of the present step
-  mutable Spans                            spans_;
-  mutable bool                             spans_known_ = false, pressures_known_ = false;
+  double              dt_       = 0.;
+  dynamics::Services *services_ = nullptr; ///< of the present step
+  mutable Spans       spans_;
+  mutable bool        spans_known_ = false, pressures_known_ = false, tooth_pieces_known_ = false;
   mutable std::vector<std::vector<double>> pressures_;
   Window                                   window_;
+  const World::Hub                        *driver_ = nullptr; ///< null in a scene without
+  double                   teeth_ = 0.; ///< of the driver, positive where its angle grows
+  mutable WholeRevolutions tooth_periods_;
+  mutable const std::vector<WholeRevolutions::Piece> *tooth_pieces_ = nullptr;
 };
 } // namespace chaindrive::observe

@@ -57,6 +57,15 @@ private:
                        const dealii::Tensor<1, 3> &second,
                        double                     &holds) const;
 
+  /// Adds link @p k to the sums over the links of @p span.
+  void add_link(const World &world, unsigned int k, Span &span, const scene::Span &along) const;
+
+  /// The same of links in the plane, in which all axes of @p along lie.
+  void add_link_in_plane(const PlanarBodies &planar,
+                         unsigned int        k,
+                         Span               &span,
+                         const scene::Span  &along) const;
+
   /// Brings members_ up to date. In the plane links are looked at only when they have gone far
   /// enough to be of another span.
   void find_members(const World &world);
@@ -98,6 +107,8 @@ private:
   std::vector<double>                  tension_;
   std::vector<unsigned int>            n_links_; ///< of each span, at the last update
   std::vector<Member>                  member_;  ///< by link
+  std::vector<unsigned int>            slots_;   ///< [joint], of its roller in World::planar; none
+                                                 ///< if the links are not all in the plane
   std::vector<std::pair<unsigned int, unsigned int>>
          members_;               ///< links in the middle of spans, ascending, and these
   double first_to_look_at_ = 0.; ///< the earliest of Member::until, m

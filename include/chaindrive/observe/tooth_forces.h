@@ -36,8 +36,9 @@ struct ToothForces
   /// Looks at what presses now.
   void update()
   {
-    std::fill(roller.begin(), roller.end(), 0.);
-    std::fill(in_gap.begin(), in_gap.end(), 0.);
+    for (const auto &[joint, gap] : pressed_)
+      roller[joint] = in_gap[gap] = 0.;
+    pressed_.clear();
     for (const contact::SurfaceContact *family : families)
       for (const contact::SurfaceContact::Press &press : family->presses())
         {
@@ -47,12 +48,27 @@ struct ToothForces
               in_gap[press.feature] += press.normal;
             }
           penetration = std::max(penetration, -press.gap);
+          pressed_.emplace_back(press.joint, press.feature);
         }
-    for (unsigned int k = 0; k < roller.size(); ++k)
-      roller_peak[k] = std::max(roller_peak[k], roller[k]);
-    for (unsigned int g = 0; g < in_gap.size(); ++g)
-      in_gap_peak[g] = std::max(in_gap_peak[g], in_gap[g]);
+    for (const auto &[joint, gap] : pressed_) // elsewhere forces are zero, and peaks are not less
+      {
+        roller_peak[joint] = std::max(roller_peak[joint], roller[joint]);
+        in_gap_peak[gap]   = std::max(in_gap_peak[gap], in_gap[gap]);
+      }
   }
+
+  /// The forces have come from elsewhere, a checkpoint: the next update() replaces all of them.
+  void replace_all()
+  {
+    pressed_.clear();
+    for (unsigned int k = 0; k < roller.size(); ++k)
+      pressed_.emplace_back(k, 0);
+    for (unsigned int g = 0; g < in_gap.size(); ++g)
+      pressed_.emplace_back(0, g);
+  }
+
+private:
+  std::vector<std::pair<unsigned int, unsigned int>> pressed_; ///< joints and gaps, at update()
 };
 
 /// Of each sprocket that rollers can touch, nothing looked at yet: of the strand with this number

@@ -57,9 +57,6 @@ private:
   };
 
   const Observation &now_;
-  const World::Hub  *driver_ = nullptr; ///< null in a scene without
-  double             teeth_  = 0.;      ///< of the driver, positive where its angle grows
-  WholeRevolutions   tooth_periods_;
   std::vector<Item>  items_;
 };
 } // namespace chaindrive::observe

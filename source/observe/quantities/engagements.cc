@@ -167,6 +167,7 @@ private:
     unsigned int        n_open     = 0;  ///< engagements still watched
     std::vector<double> near_until = {}; ///< per joint, PlanarBodies::travelled() up to
                                          ///< which it is not far, m
+    double near_until_first = 0.;        ///< the least of these of the joints that are near, m
     std::vector<unsigned int> near_pairs = {}, near = {}; ///< joints that are near
     dealii::Tensor<1, 3>      centre = {};                ///< m
   };
@@ -225,6 +226,7 @@ private:
                 {sprocket.name, joint, world.time, relative.norm(), -(relative * press.direction)});
             sprocket.was_far[joint]    = 0;
             sprocket.near_until[joint] = 0.;
+            sprocket.near_until_first  = 0.;
           }
       }
     sprocket.last_touch[joint] = world.time;
@@ -236,7 +238,8 @@ private:
   {
     if (sprocket.near_pairs != sprocket.teeth->near())
       {
-        sprocket.near_pairs = sprocket.teeth->near();
+        sprocket.near_pairs       = sprocket.teeth->near();
+        sprocket.near_until_first = 0.;
         sprocket.near.clear();
         for (const unsigned int i : sprocket.near_pairs)
           if (const scene::SlavePoint &slave = sprocket.teeth->slave(i);
@@ -248,18 +251,29 @@ private:
                           now_.scene.drive.bushes.empty(); // which go farther than their links
     const double way = world.planar != nullptr ? world.planar->travelled() : 0.;
     sprocket.centre  = centre;
-    for (std::size_t i = 0; i < sprocket.near.size(); ++i)
+    if (in_plane && way < sprocket.near_until_first)
+      return;
+    sprocket.near_until_first = std::numeric_limits<double>::infinity();
+    for (const unsigned int joint : sprocket.near)
       {
-        const unsigned int joint = sprocket.near[i];
-        if (sprocket.was_far[joint] || (in_plane && way < sprocket.near_until[joint]))
+        if (sprocket.was_far[joint])
           continue;
+        if (in_plane && way < sprocket.near_until[joint])
+          {
+            sprocket.near_until_first =
+                std::min(sprocket.near_until_first, sprocket.near_until[joint]);
+            continue;
+          }
         const double square =
             (roller_position(now_.scene.drive, world, joint) - centre).norm_square();
         if (square > sprocket.far_radius * sprocket.far_radius)
           sprocket.was_far[joint] = 1;
         else
-          sprocket.near_until[joint] =
-              way + std::max(0., sprocket.far_radius - std::sqrt(square) - round_off);
+          {
+            double &until = sprocket.near_until[joint];
+            until         = way + std::max(0., sprocket.far_radius - std::sqrt(square) - round_off);
+            sprocket.near_until_first = std::min(sprocket.near_until_first, until);
+          }
       }
   }
 

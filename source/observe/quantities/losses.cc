@@ -39,7 +39,7 @@ public:
           driver_ = &hub;
           teeth_ = drive.driver().sense * double(drive.driver().teeth) / (2. * dealii::numbers::PI);
         }
-    before_ = present();
+    present(before_);
     within_.resize(before_.size(), 0.);
   }
 
@@ -73,8 +73,9 @@ public:
 
   void update() override
   {
-    const std::vector<double> values = present();
-    const double              begin  = now_.time() - now_.dt();
+    present(values_);
+    const std::vector<double> &values = values_;
+    const double               begin  = now_.time() - now_.dt();
     if (now_.window().settled()) // since when is not known from the start
       time_.move_to(now_.window().start(), now_.window().end());
     if (const double inside = time_.inside(begin, now_.dt()); inside > 0.)
@@ -83,7 +84,7 @@ public:
     if (time_.inside(begin, now_.dt()) > 0.)
       add_pitch();
     time_.add(begin, now_.dt(), 0.);
-    before_ = values;
+    std::swap(before_, values_);
   }
 
   void summarize(files::Json &summary) const override
@@ -166,22 +167,21 @@ private:
 
   /// The terms at this instant, then the losses of the interfaces, friction and damping in turn,
   /// then those of force elements with names; all but what is stored since the start, J.
-  std::vector<double> present() const
+  void present(std::vector<double> &values) const
   {
-    const Ledger       &ledger = now_.system.world.ledger;
-    std::vector<double> values = {ledger.drive_work,
-                                  ledger.resisting_work,
-                                  ledger.stored(),
-                                  ledger.lost(),
-                                  ledger.chain_damping,
-                                  ledger.drag,
-                                  ledger.spring_damping};
+    const Ledger &ledger = now_.system.world.ledger;
+    values               = {ledger.drive_work,
+                            ledger.resisting_work,
+                            ledger.stored(),
+                            ledger.lost(),
+                            ledger.chain_damping,
+                            ledger.drag,
+                            ledger.spring_damping};
     for (const contact::Loss &loss : now_.system.contacts.losses())
       values.insert(values.end(), {loss.friction, loss.damping});
     for (const ForceElement *element : now_.system.forces)
       if (const auto lost = element->lost())
         values.push_back(*lost);
-    return values;
   }
 
   /// Remembers what has come to each interface when another pitch of the driver has passed.
@@ -223,6 +223,7 @@ private:
   std::vector<std::string> interfaces_;
   std::vector<std::string> elements_; ///< whose losses have names of their own
   std::vector<double>      before_;   ///< present() after the last step, J
+  std::vector<double>      values_;   ///< present() at this one, J
   std::vector<double>      within_;   ///< what has come to it within the window, J
 };
 

@@ -98,6 +98,7 @@ public:
         part.numbers("gap", forces.in_gap);
         part.numbers("gap peak", forces.in_gap_peak);
         part("overlap", forces.penetration);
+        forces.replace_all();
       }
   }
 
