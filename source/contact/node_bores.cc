@@ -216,8 +216,9 @@ NodeBores::NodeBores(const scene::Scene      &scene,
                          law_),
                                window_of(
                    of_cylinder, cylinder, joint.rings().front(), joint.rings().back(), law_)}};
-          group.windows[0].group = master_group;
-          group.windows[1].group = slave_group;
+          group.windows[0].group   = master_group;
+          group.windows[1].group   = slave_group;
+          group.windows[0].in_bore = true;
           for (unsigned int i = 0; i < 2; ++i)
             group.windows[i].half_angle = group.closed[i].half_angle;
         }

@@ -205,13 +205,18 @@ Basis make_basis(const FreePart            &part,
   return basis;
 }
 
-double static_error(const FreePart &part, const Basis &basis, const Vector &force)
+double static_compliance(const Basis &basis, const Vector &force)
 {
   double compliance = 0.;
   for (unsigned int i = 0; i < basis.size(); ++i)
     compliance += std::pow(force * basis.modes[i] / basis.omega[i], 2);
   for (const RoundFlexibility &side : basis.joints)
     compliance += side.compliance(force);
-  return 1. - compliance / (force * part.displacement(force));
+  return compliance;
+}
+
+double static_error(const FreePart &part, const Basis &basis, const Vector &force)
+{
+  return 1. - static_compliance(basis, force) / (force * part.displacement(force));
 }
 } // namespace chaindrive::reduction

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/reduction/kept_basis.h>
+#include <chaindrive/reduction/slower_modes.h>
 #include <chaindrive/utilities/checksum.h>
 #include <chaindrive/utilities/first_rank.h>
 #include <chaindrive/utilities/text.h>
@@ -203,7 +204,12 @@ BasisOptions options_of(const parameters::Reduction &reduction,
   BasisOptions options;
   options.modes_up_to =
       2. * dealii::numbers::PI * reduction.modes_up_to.value_or(pressed_joints ? 60e3 : 120e3);
-  options.cap    = 2. * dealii::numbers::PI * reduction.highest;
+  options.cap = 2. * dealii::numbers::PI * reduction.highest;
+  if (reduction.fastest_of_links || !pressed_joints)
+    options.fastest_of_links = 2. * dealii::numbers::PI * reduction.fastest_of_links.value_or(60e3);
+  if (!pressed_joints && !pressed_outside)
+    options.fastest_of_rollers =
+        2. * dealii::numbers::PI * reduction.fastest_of_rollers.value_or(80e3);
   options.orders = {
       reduction.tube_order, reduction.pin_order, pressed_joints, pressed_outside, pressed_faces};
   return options;
@@ -246,6 +252,7 @@ Basis kept_basis(const mesh::Part           &part,
   if (n_ranks_in(comm) > 1)
     kept = dealii::Utilities::MPI::broadcast(comm, kept);
   Basis basis = from_json(nlohmann::json::parse(kept));
+  slow_down(part, options, basis);
   basis.notes = cache.notes();
   return basis;
 }

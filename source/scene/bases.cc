@@ -21,6 +21,8 @@ std::string note_of(const std::string &name, const reduction::Basis &basis)
                      " natural modes and " + std::to_string(basis.size() - basis.n_natural) +
                      " modes under load up to " +
                      to_text(highest / (2e3 * dealii::numbers::PI), 3) + " kHz";
+  if (basis.n_slowed > 0)
+    note += ", to which " + std::to_string(basis.n_slowed) + " of them are slowed";
   if (!basis.joints.empty())
     note += "; without inertia what " + std::to_string(basis.joints.size()) +
             " sides in joints, which have no penalty, deflect beside them";

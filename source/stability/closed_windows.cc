@@ -16,8 +16,15 @@ namespace chaindrive::stability
 namespace
 {
 using contact::ClosedStrips;
-using contact::ClosedWindow;
 using dealii::numbers::PI;
+
+/// A window of one of the families.
+struct ClosedWindow : contact::ClosedWindow
+{
+  unsigned int family;
+  /// By how much more its body alone feels the springs of friction of nodes, see Shares.
+  double springs = 2.;
+};
 
 /// A window that is closed: about a direction, or in one of its sets of strips.
 struct Closed
@@ -135,43 +142,55 @@ double flexibility_of(const std::vector<Closed> &closed, const ClosedPlace &a, c
 /// What bodies are held by, 1/s2, and how stiff that is in any direction of the plane at most, N/m.
 struct Hold
 {
-  Matrix matrix;
-  double stiffness = 0.;
+  Matrix              matrix;
+  Matrix              across; ///< by the springs of friction of the nodes of one window
+  const ClosedWindow *nodes     = nullptr; ///< that window
+  double              stiffness = 0.;
+
+  Matrix all() const
+  {
+    Matrix sum = matrix;
+    if (nodes != nullptr)
+      sum.add(nodes->springs, across);
+    return sum;
+  }
 };
 
-/// What @p bodies are held by where these windows are @p closed. Of two bodies that stick to each
-/// other by springs across each one feels at most twice these, with its other end at rest: (u -
-/// v)^2 <= 2 u^2 + 2 v^2.
+/// What @p bodies are held by where these windows, of nodes at most one, are @p closed.
 Hold held_by(const ModalGroup &bodies, const std::vector<Closed> &closed)
 {
   const std::vector<ClosedPlace> places  = places_of(closed);
   const auto                     n       = static_cast<unsigned int>(places.size());
   const auto                     motions = static_cast<unsigned int>(bodies.motions_of(0).size());
-  Hold                           hold{Matrix(motions, motions)};
+  Hold                           hold{Matrix(motions, motions), Matrix(motions, motions)};
+  for (const Closed &window : closed)
+    if (window.strips() == nullptr)
+      hold.nodes = window.window;
   if (n == 0)
     return hold;
   dealii::LAPACKFullMatrix<double> flexibility(n, n);
   dealii::LAPACKFullMatrix<double> held(n, motions + 2); // and strips by a shift in the plane
   Matrix                           rows(n, motions);
-  Matrix                     across(2 * (n + closed.size()), motions); // by square roots of springs
+  // by square roots of springs: of nodes, and of strips, which share one
+  Matrix                     across(2 * n, motions), in_strips(2 * closed.size(), motions);
   const dealii::Tensor<1, 3> axis = dealii::Point<3>(0., 0., 1.);
   for (unsigned int a = 0; a < n; ++a)
     {
       const dealii::Tensor<1, 3> normal = dealii::Point<3>(
                                      std::cos(places[a].angle), std::sin(places[a].angle), 0.),
                                  round = cross_product_3d(axis, normal);
-      const unsigned int one           = 2 * (n + places[a].closed);
-      const double       root          = std::sqrt(2. * places[a].across),
-                   of_one              = places[a].shared *
-                            std::sqrt(2. * closed[places[a].closed].window->across_middle);
+      const unsigned int one           = 2 * places[a].closed;
+      const double       root          = std::sqrt(places[a].across),
+                   of_one =
+                       places[a].shared * std::sqrt(closed[places[a].closed].window->across_middle);
       const std::vector<dealii::Tensor<1, 3>> moved = places[a].moved(bodies);
       for (unsigned int j = 0; j < motions; ++j)
         {
           rows(a, j)           = normal * moved[j];
           across(2 * a, j)     = root * (round * moved[j]);
           across(2 * a + 1, j) = root * (axis * moved[j]);
-          across(one, j) += of_one * (round * moved[j]);
-          across(one + 1, j) += of_one * (axis * moved[j]);
+          in_strips(one, j) += of_one * (round * moved[j]);
+          in_strips(one + 1, j) += of_one * (axis * moved[j]);
         }
       for (unsigned int j = 0; j < motions; ++j)
         held(a, j) = rows(a, j);
@@ -192,7 +211,11 @@ Hold held_by(const ModalGroup &bodies, const std::vector<Closed> &closed)
         hold.stiffness += std::cos(places[a].angle) * held(a, motions) +
                           std::sin(places[a].angle) * held(a, motions + 1);
     }
-  across.Tmmult(hold.matrix, across, true);
+  in_strips.Tmmult(hold.matrix, in_strips, true);
+  across.Tmmult(hold.across, across);
+  for (const Closed &window : closed)
+    if (window.strips() != nullptr)
+      hold.stiffness += window.window->across_middle;
   return hold;
 }
 
@@ -241,53 +264,79 @@ public:
 
   bool is_held() const { return !ways_.empty(); }
 
-  /// The smallest limit found, s.
-  double critical_time_step() const
+  /// Takes the springs that windows now have.
+  void take_springs()
+  {
+    held_.clear();
+    for (const std::vector<Hold> &ways : ways_)
+      {
+        held_.emplace_back();
+        for (const Hold &way : ways)
+          held_.back().push_back(way.all());
+      }
+  }
+
+  /// The smallest limit found, s, from several ways to close.
+  double critical_time_step()
   {
     double step = std::numeric_limits<double>::infinity();
     for (unsigned int first = 0; first < n_directions; first += n_directions / 4)
       {
-        std::vector<unsigned int> chosen(ways_.size(), first);
+        std::vector<unsigned int> from(ways_.size());
         for (unsigned int w = 0; w < ways_.size(); ++w)
-          chosen[w] = first * static_cast<unsigned int>(ways_[w].size()) / n_directions;
-        double best = step_with(chosen);
-        for (bool changed = true; changed;)
-          {
-            changed = false;
-            for (unsigned int w = 0; w < ways_.size(); ++w)
-              for (unsigned int i = 0; i < ways_[w].size(); ++i)
-                {
-                  std::vector<unsigned int> other = chosen;
-                  other[w]                        = i;
-                  const double of_other           = step_with(other);
-                  if (of_other < best * (1. - 1e-9))
-                    {
-                      best    = of_other;
-                      chosen  = other;
-                      changed = true;
-                    }
-                }
-          }
-        step = std::min(step, best);
+          from[w] = first * static_cast<unsigned int>(ways_[w].size()) / n_directions;
+        step = std::min(step, step_from(from));
       }
-    return 2. / std::sqrt(4. / (step * step) + of_others_);
+    return step;
+  }
+
+  /// The limit, s, from that way alone which was found last: nearly the smallest one.
+  double near_critical_time_step()
+  {
+    last_.resize(ways_.size(), 0);
+    return step_from(last_);
   }
 
 private:
+  /// Of ways that differ by one side the worst is chosen until none is worse.
+  double step_from(std::vector<unsigned int> chosen)
+  {
+    double best = step_with(chosen);
+    for (bool changed = true; changed;)
+      {
+        changed = false;
+        for (unsigned int w = 0; w < ways_.size(); ++w)
+          for (unsigned int i = 0; i < ways_[w].size(); ++i)
+            {
+              std::vector<unsigned int> other = chosen;
+              other[w]                        = i;
+              const double of_other           = step_with(other);
+              if (of_other < best * (1. - 1e-9))
+                {
+                  best    = of_other;
+                  chosen  = other;
+                  changed = true;
+                }
+            }
+      }
+    last_ = chosen;
+    return 2. / std::sqrt(4. / (best * best) + of_others_);
+  }
+
   double step_with(const std::vector<unsigned int> &chosen) const
   {
     ModalBodies modal;
     modal.free = free_;
     for (unsigned int w = 0; w < ways_.size(); ++w)
-      modal.free.add(1., ways_[w][chosen[w]]);
+      modal.free.add(1., held_[w][chosen[w]]);
     modal.sides = springs_;
     return modal.sides.empty() ? 2. / std::sqrt(largest(modal.free)) : modal.critical_time_step();
   }
 
   void add_way(const std::vector<Closed> &closed)
   {
-    const Hold hold = held_by(bodies_, closed);
-    ways_.back().push_back(hold.matrix);
+    ways_.back().push_back(held_by(bodies_, closed));
+    const Hold &hold = ways_.back().back();
     for (const Closed &window : closed)
       of_others_ = std::max(of_others_, hold.stiffness * window.window->mobility);
   }
@@ -295,9 +344,95 @@ private:
   const ModalGroup                         &bodies_;
   Matrix                                    free_;
   std::vector<const ClosedWindow *>         windows_, in_strips_;
-  std::vector<std::vector<Matrix>>          ways_; ///< [side][direction]
+  std::vector<std::vector<Hold>>            ways_; ///< [side][direction]
+  std::vector<std::vector<Matrix>>          held_; ///< by these, 1/s2
+  std::vector<unsigned int>                 last_; ///< the way found last
   std::map<unsigned int, ModalBodies::Side> springs_;
   double of_others_ = 0.; ///< squared frequency of the rigid bodies that strips meet, 1/s2
+};
+
+constexpr unsigned int n_rounds = 6; ///< of balancing bodies, after which their steps hardly change
+
+/// Of two bodies that stick to each other by springs each one alone, with its other end at rest,
+/// feels as much of them as it takes: (u - v)^2 <= (1 + t) u^2 + (1 + 1/t) v^2. The t of a family,
+/// of its cylinders, is chosen so that bodies are about equally fast.
+class Shares
+{
+public:
+  Shares(std::vector<ClosedWindow>        &windows,
+         const unsigned int                n_families,
+         std::map<unsigned int, HeldBody> &held)
+      : windows_(windows), held_(held), t_(n_families, 1.)
+  {
+  }
+
+  /// The smallest limit, s, with the best t that were found.
+  double critical_time_step()
+  {
+    std::vector<double> best = t_;
+    double              most = 0.;
+    for (unsigned int round = 0; round < n_rounds; ++round)
+      {
+        apply();
+        std::map<unsigned int, double> step; // of groups
+        double                         least = infinity;
+        for (auto &[group, body] : held_)
+          {
+            step[group] = body.is_held() ? body.near_critical_time_step() : infinity;
+            least       = std::min(least, step[group]);
+          }
+        if (least > most)
+          {
+            most = least;
+            best = t_;
+          }
+        const std::vector<double> before = t_;
+        balance(step);
+        if (t_ == before) // nothing sticks
+          break;
+      }
+    t_ = best;
+    apply();
+    double least = infinity;
+    for (auto &[group, body] : held_)
+      if (body.is_held())
+        least = std::min(least, body.critical_time_step());
+    return least;
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  void apply()
+  {
+    for (ClosedWindow &window : windows_)
+      window.springs = 1. + (window.in_bore ? 1. / t_[window.family] : t_[window.family]);
+    for (auto &[group, body] : held_)
+      body.take_springs();
+  }
+
+  /// Of the groups that meet the faster one gets less.
+  void balance(const std::map<unsigned int, double> &step)
+  {
+    for (unsigned int f = 0; f < t_.size(); ++f)
+      {
+        std::array<double, 2> least{{infinity, infinity}}; // of cylinders, of bores
+        bool                  sticks = false;
+        for (const ClosedWindow &window : windows_)
+          if (window.family == f && window.strips.empty())
+            {
+              double &of_side = least[window.in_bore ? 1 : 0];
+              of_side         = std::min(of_side, step.at(window.group));
+              sticks          = sticks || window.across.front() > 0.;
+            }
+        if (sticks)
+          t_[f] = std::clamp(t_[f] * std::pow(least[0] / least[1], 2), 0.1, 10.);
+      }
+  }
+
+  std::vector<ClosedWindow>        &windows_;
+  std::map<unsigned int, HeldBody> &held_;
+  std::vector<double>               t_;
 };
 } // namespace
 
@@ -305,13 +440,12 @@ double closed_windows_time_step(const World                                &worl
                                 const std::vector<const contact::Family *> &families)
 {
   std::vector<ClosedWindow> windows;
-  for (const contact::Family *family : families)
-    if (const auto *exact = dynamic_cast<const contact::HasClosedWindows *>(family))
-      for (const ClosedWindow &window : exact->closed_windows())
-        windows.push_back(window);
-  double step = std::numeric_limits<double>::infinity();
+  for (unsigned int f = 0; f < families.size(); ++f)
+    if (const auto *exact = dynamic_cast<const contact::HasClosedWindows *>(families[f]))
+      for (const contact::ClosedWindow &window : exact->closed_windows())
+        windows.push_back({window, f});
   if (windows.empty())
-    return step;
+    return std::numeric_limits<double>::infinity();
   std::map<unsigned int, HeldBody> held; // by group
   for (const ModalGroup *group : world.groups.modal())
     held.emplace(group->copies(), *group);
@@ -324,9 +458,7 @@ double closed_windows_time_step(const World                                &worl
       for (const contact::ClosedSide &side : kind.sides)
         if (const auto body = held.find(side.group); body != held.end() && !side.flat)
           body->second.add(side, kind);
-  for (const auto &[group, body] : held)
-    if (body.is_held())
-      step = std::min(step, body.critical_time_step());
-  return step;
+
+  return Shares(windows, static_cast<unsigned int>(families.size()), held).critical_time_step();
 }
 } // namespace chaindrive::stability

@@ -46,6 +46,8 @@ end
 subsection Reduction
   set Modes up to in kHz = 100
   set Highest frequency in kHz = 250.5
+  set Highest frequency of links in kHz = 55
+  set Highest frequency of rollers in kHz = auto
   set Harmonics of rollers and bushes = 6
   set Harmonics of pins = 2
 end
@@ -96,6 +98,7 @@ end)"; // without a line break at the end
             << std::endl;
   std::cout << "reduction: "
             << (p.reduction.modes_up_to == 100e3 && p.reduction.highest == 250.5e3 &&
+                p.reduction.fastest_of_links == 55e3 && !p.reduction.fastest_of_rollers &&
                 p.reduction.tube_order == 6 && p.reduction.pin_order == 2)
             << std::endl;
   std::cout << "contact: "

@@ -8,6 +8,7 @@
 #include <chaindrive/bodies/reduced_bodies.h>
 #include <chaindrive/mesh/mass.h>
 #include <chaindrive/reduction/basis.h>
+#include <chaindrive/reduction/slower_modes.h>
 
 namespace test
 {
@@ -22,6 +23,7 @@ inline reduction::Basis basis_of(const scene::Scene            &scene,
   reduction::Basis basis = make_basis(free, tractions(part, nodes, options.orders), options);
   if (!options.orders.in_joints)
     basis.joints = round_flexibilities(free, part, nodes, basis, !options.orders.on_teeth);
+  slow_down(part, options, basis);
   return basis;
 }
 

@@ -35,6 +35,7 @@ struct ClosedWindow
   std::vector<double>       flexibility; ///< [ring][ring][columns between], m/N
   std::vector<double> across; ///< [ring]: springs of friction across the normal of a node, N/m
   double              half_angle = dealii::numbers::PI; ///< of the window, rad
+  bool                in_bore    = false;               ///< or on the cylinder in it
 
   unsigned int first_ring = 0; ///< of the side, if not all of them are in the window
 

@@ -144,7 +144,9 @@ struct Elements
 struct Reduction
 {
   std::optional<double> modes_up_to;        ///< Hz; auto: what contact asks for
-  double                highest    = 300e3; ///< frequency of the other shapes, Hz
+  double                highest = 300e3;    ///< frequency of the other shapes, Hz
+  std::optional<double> fastest_of_links;   ///< all modes of links are slowed to this, Hz
+  std::optional<double> fastest_of_rollers; ///< those of rollers without penalty, Hz
   unsigned int          tube_order = 8;     ///< harmonics about rollers and bushes
   unsigned int          pin_order  = 6;
 

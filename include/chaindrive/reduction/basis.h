@@ -5,6 +5,7 @@
 #include <chaindrive/reduction/round_flexibility.h>
 #include <chaindrive/reduction/tractions.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,14 @@ namespace chaindrive::reduction
 /// How much of a part's elasticity a basis keeps.
 struct BasisOptions
 {
-  double modes_up_to = 2. * dealii::numbers::PI * 60e3; ///< all free modes below, rad/s
-  double cap = 2. * dealii::numbers::PI * 300e3;        ///< no vector has a higher frequency, rad/s
+  double modes_up_to = 2. * dealii::numbers::PI * 60e3;  ///< all free modes below, rad/s
+  double cap         = 2. * dealii::numbers::PI * 300e3; ///< attachment modes are no faster, rad/s
   Orders orders;
   double negligible = 3e-3; ///< of the compliance under a traction: what deflects less is left out
+
+  /// All modes of rollers, and of other parts, are slowed to these, rad/s: slower_modes.h.
+  double fastest_of_rollers = std::numeric_limits<double>::infinity(),
+         fastest_of_links   = std::numeric_limits<double>::infinity();
 };
 
 /// Displacements that stand for the elasticity of a part: u = Phi q with q" + W^2 q = Phi^T f.
@@ -27,6 +32,7 @@ struct BasisOptions
 struct Basis
 {
   unsigned int        n_natural = 0; ///< of the modes; the rest are attachments
+  unsigned int        n_slowed  = 0; ///< of the modes, by slower_modes.h
   std::vector<double> omega; ///< W: of each mode, ascending among natural ones and others, rad/s
   std::vector<Vector> modes; ///< Phi: of each, 1/sqrt(kg)
 
@@ -61,6 +67,10 @@ struct Basis
 Basis make_basis(const FreePart            &part,
                  const std::vector<Vector> &tractions,
                  const BasisOptions        &options);
+
+/// The compliance f . u [J, twice the energy] under the @p force [N] that the @p basis has, with
+/// Basis::joints.
+double static_compliance(const Basis &basis, const Vector &force);
 
 /// The part of the compliance f . u under the @p force that the @p basis, with Basis::joints,
 /// lacks.

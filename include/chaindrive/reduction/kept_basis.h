@@ -19,7 +19,8 @@ BasisOptions options_of(const parameters::Reduction &reduction,
                         bool                         pressed_faces   = false);
 
 /// The basis of @p part, with its errors in statics, from the @p cache if it is there: the same bit
-/// by bit on all ranks of @p comm, whose first one computes it and reads and writes the cache.
+/// by bit on all ranks of @p comm, whose first one computes it and reads and writes the cache. What
+/// is kept has its own frequencies; modes are slowed afterwards (slower_modes.h).
 /// Throws what free_modes() does, and InputError if a side that touches is no cylinder. @p announce
 /// is told on the first rank when it is computed. Collective.
 Basis kept_basis(const mesh::Part           &part,
