@@ -17,10 +17,10 @@ import os
 import xml.etree.ElementTree as xml
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.all import (vtkActor, vtkAppendFilter, vtkColorTransferFunction, vtkDataSetMapper,
-                            vtkDataSetSurfaceFilter, vtkExtractGeometry, vtkPlane,
-                            vtkPNGWriter, vtkRenderer, vtkRenderWindow, vtkScalarBarActor,
-                            vtkUnstructuredGridReader, vtkWarpVector,
+from vtkmodules.all import (vtkActor, vtkAppendFilter, vtkColorTransferFunction, vtkDataObject,
+                            vtkDataSetMapper, vtkDataSetSurfaceFilter, vtkExtractGeometry,
+                            vtkMapper, vtkPlane, vtkPNGWriter, vtkRenderer, vtkRenderWindow, vtkScalarBarActor,
+                            vtkThreshold, vtkUnstructuredGridReader, vtkWarpVector,
                             vtkWindowToImageFilter, vtkXMLPUnstructuredGridReader,
                             vtkXMLUnstructuredGridReader)
 
@@ -74,15 +74,60 @@ def main():
     parser.add_argument("--up", nargs=3, type=float, default=[0, 1, 0])
     parser.add_argument("--focus", nargs=3, type=float, help="point at the centre of the image")
     parser.add_argument("--height", type=float, help="height of the visible part, in the units of the data")
+    parser.add_argument("--only", nargs="+", metavar=("ARRAY", "NUMBER"),
+                        help="leave out cells in which this array has none of these numbers")
+    parser.add_argument("--beside", nargs="+", default=[], help="files to show in one colour as well")
+    parser.add_argument("--kinds", nargs="+", type=int,
+                        help="of these show bodies of these kinds alone (the cell array kind)")
     parser.add_argument("--size", nargs=2, type=int, default=[1600, 1000])
     arguments = parser.parse_args()
 
-    append = vtkAppendFilter()
-    for name in arguments.files:
-        for file in files_of(name, arguments.time):
-            append.AddInputData(read(file))
-    append.Update()
-    source = append
+    def behind(source):
+        """The part of `source` that is to be seen."""
+        if arguments.behind is None:
+            return source
+        plane = vtkPlane()
+        plane.SetOrigin(0, 0, arguments.behind + 1e-6)
+        plane.SetNormal(0, 0, 1)
+        part = vtkExtractGeometry()
+        part.SetInputConnection(source.GetOutputPort())
+        part.SetImplicitFunction(plane)
+        return part
+
+    def all_of(names):
+        append = vtkAppendFilter()
+        for name in names:
+            for file in files_of(name, arguments.time):
+                append.AddInputData(read(file))
+        append.Update()
+        return append
+
+    def chosen(source, array, numbers):
+        """The cells of `source` in which the array has one of these numbers."""
+        parts = vtkAppendFilter()
+        for number in numbers:
+            part = vtkThreshold()
+            part.SetInputConnection(source.GetOutputPort())
+            part.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, array)
+            part.SetLowerThreshold(number)
+            part.SetUpperThreshold(number)
+            parts.AddInputConnection(part.GetOutputPort())
+        return parts
+
+    def actor_of(mapper):
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(PALETTE[2])
+        actor.GetProperty().SetAmbient(0.25)
+        actor.GetProperty().SetDiffuse(0.75)
+        actor.GetProperty().SetEdgeVisibility(not arguments.no_edges)
+        actor.GetProperty().SetEdgeColor(0.15, 0.15, 0.18)
+        actor.GetProperty().SetLineWidth(1.)
+        return actor
+
+    source = all_of(arguments.files)
+    if arguments.only:
+        source = chosen(source, arguments.only[0], map(float, arguments.only[1:]))
     if arguments.warp:
         source.GetOutput().GetPointData().SetActiveVectors(arguments.warp)
         warp = vtkWarpVector()
@@ -90,32 +135,30 @@ def main():
         warp.SetInputArrayToProcess(0, 0, 0, 0, arguments.warp)
         warp.SetScaleFactor(arguments.scale)
         source = warp
-    if arguments.behind is not None:
-        plane = vtkPlane()
-        plane.SetOrigin(0, 0, arguments.behind + 1e-6)
-        plane.SetNormal(0, 0, 1)
-        behind = vtkExtractGeometry()
-        behind.SetInputConnection(source.GetOutputPort())
-        behind.SetImplicitFunction(plane)
-        source = behind
+    source = behind(source)
     surface = vtkDataSetSurfaceFilter()
     surface.SetInputConnection(source.GetOutputPort())
     surface.Update()
 
     mapper = vtkDataSetMapper()
     mapper.SetInputConnection(surface.GetOutputPort())
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(PALETTE[2])
-    actor.GetProperty().SetAmbient(0.25)
-    actor.GetProperty().SetDiffuse(0.75)
-    actor.GetProperty().SetEdgeVisibility(not arguments.no_edges)
-    actor.GetProperty().SetEdgeColor(0.15, 0.15, 0.18)
-    actor.GetProperty().SetLineWidth(1.)
-
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor)
+    renderer.AddActor(actor_of(mapper))
+    if arguments.beside:
+        rest = all_of(arguments.beside)
+        if arguments.kinds:
+            rest = chosen(rest, "kind", arguments.kinds)
+        rest = behind(rest)
+        hull = vtkDataSetSurfaceFilter()
+        hull.SetInputConnection(rest.GetOutputPort())
+        grey = vtkDataSetMapper()
+        grey.SetInputConnection(hull.GetOutputPort())
+        grey.ScalarVisibilityOff()
+        # what lies on the bodies is to be seen
+        vtkMapper.SetResolveCoincidentTopologyToPolygonOffset()
+        mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(-4., -4.)
+        renderer.AddActor(actor_of(grey))
     renderers = [renderer]
     if arguments.color:
         data = surface.GetOutput()

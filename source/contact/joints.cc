@@ -50,6 +50,12 @@ JointTables::JointTables(const mesh::CylinderGrid &master, const mesh::CylinderG
                    to   = slave.rings[std::min(s + 1, slave.n_rings() - 1)];
       const double half = s == 0 || s + 1 == slave.n_rings() ? 0.5 : 0.25;
       cover_.push_back(1. / (half * (to - from)));
+
+      const double middle = slave.rings[s];
+      const double low    = std::max(0.5 * (from + middle), master.rings.front()),
+                   high   = std::min(0.5 * (middle + to), master.rings.back());
+      inside_.push_back(high > low ? area_.back() * (high - low) / (0.5 * (to - from)) :
+                                     area_.back());
     }
 }
 
@@ -57,6 +63,7 @@ JointGrid JointTables::grid() const
 {
   JointGrid grid = grid_;
   grid.area      = area_.data();
+  grid.inside    = inside_.data();
   grid.cover     = cover_.data();
   return grid;
 }

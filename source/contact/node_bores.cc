@@ -189,6 +189,8 @@ NodeBores::NodeBores(const scene::Scene      &scene,
                                       cylinder_nodes = nodes_of(cylinder, slaves);
 
       Group group;
+      group.grids = std::make_unique<const std::array<mesh::CylinderGrid, 2>>(
+          std::array<mesh::CylinderGrid, 2>{{bore, cylinder}});
       group.tables       = std::make_unique<JointTables>(bore, cylinder);
       group.master_nodes = node_offsets(bore, masters.nodes.vertex);
       group.slave_nodes  = node_offsets(cylinder, slaves.nodes.vertex);
@@ -388,32 +390,6 @@ void NodeBores::serialize(const Archive &archive, const unsigned int rank)
         own("stance", stances_[pair]);
         own("searched stance", group.searched_stance[i]);
         own.numbers("searched amplitudes", group.searched_amplitude[i]);
-      }
-}
-
-void NodeBores::raise_pressures(std::vector<double> &largest) const
-{
-  for (const Group &group : groups_)
-    for (unsigned int i = 0; i < group.pairs.size(); ++i)
-      {
-        double &of_joint = largest[records_[group.pairs[i]].joint];
-        group.batches[i / n_lanes]->for_each_pressure(
-            i % n_lanes, [&of_joint](const unsigned int, const double pressure) {
-              of_joint = std::max(of_joint, pressure);
-            });
-      }
-}
-
-void NodeBores::add_pressures(const World & /*world*/, std::vector<NodePressure> &pressures) const
-{
-  for (const Group &group : groups_)
-    for (unsigned int i = 0; i < group.pairs.size(); ++i)
-      {
-        const unsigned int body = records_[group.pairs[i]].slave;
-        group.batches[i / n_lanes]->for_each_pressure(
-            i % n_lanes, [&](const unsigned int node, const double pressure) {
-              pressures.push_back({body, group.sides[1].node[node], pressure});
-            });
       }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/cylinder_patches.h>
 #include <chaindrive/contact/node_contact.h>
 #include <chaindrive/contact/point_force.h>
 #include <chaindrive/utilities/ranks.h>
@@ -19,6 +20,13 @@ std::vector<unsigned int> bodies_of(const std::vector<scene::SlavePoint> &slaves
   for (const scene::SlavePoint &slave : slaves)
     bodies.push_back(slave.body);
   return bodies;
+}
+
+/// Whether @p surface is that of a cylinder.
+bool is_round(const unsigned int surface)
+{
+  return surface == mesh::roller_outside || surface == mesh::bush_outside_first ||
+         surface == mesh::bush_outside_second;
 }
 } // namespace
 
@@ -236,6 +244,37 @@ void NodeContact::add_pressures(const World & /*world*/, std::vector<NodePressur
   });
 }
 
+void NodeContact::add_patches(const World &world, std::vector<PressurePatch> &patches) const
+{
+  if (!is_round(slaves_.surface()))
+    return;
+  if (!round_)
+    {
+      const BodyBatches        &copies = slaves_.batches(world);
+      const mesh::CylinderGrid  grid(*copies.part, static_cast<mesh::Surface>(slaves_.surface()));
+      std::vector<unsigned int> place(slaves_.n_nodes());
+      const auto               &nodes = slaves_.side().node; // in ascending order
+      for (unsigned int p = 0; p < grid.vertex.size(); ++p)
+        {
+          const unsigned int node  = copies.nodes.of_vertex[grid.vertex[p]];
+          const auto         found = std::lower_bound(nodes.begin(), nodes.end(), node);
+          if (found != nodes.end() && *found == node)
+            place[found - nodes.begin()] = p;
+        }
+      round_ = std::make_unique<const Round>(Round{grid, place});
+    }
+  for_each_pressure([&](const unsigned int i, const unsigned int s, const double pressure) {
+    const unsigned int n = round_->grid.n_circumferential(), place = round_->place[s];
+    patches.push_back(
+        {records_[i].slave,
+         surface_->body(),
+         records_[i].joint,
+         corners_of_piece(round_->grid, place / n, place % n, world.frames[records_[i].slave]),
+         pressure * slaves_.area(s),
+         pressure});
+  });
+}
+
 std::vector<ClosedPair> NodeContact::closed_pairs(const World &world) const
 {
   const BodyBatches &batches = slaves_.batches(world);
@@ -248,8 +287,7 @@ std::vector<ClosedPair> NodeContact::closed_pairs(const World &world) const
   for (unsigned int s = 0; s < slaves_.n_nodes(); ++s)
     slave.add_spring(
         slaves_.node(s), law_.stiffness * slaves_.area(s), batches.nodes.mass[slaves_.node(s)]);
-  if (slave.surface == mesh::roller_outside || slave.surface == mesh::bush_outside_first ||
-      slave.surface == mesh::bush_outside_second)
+  if (is_round(slave.surface))
     {
       const dealii::Point<3> &axis = pairs_.front().slave.point;
       slave.half_angle             = half_angle_;

@@ -40,6 +40,7 @@ struct CoveredRings
           {
             number.push_back(r);
             length.push_back(to - from);
+            extent.push_back({{from, to}});
             all += to - from;
           }
       }
@@ -47,7 +48,10 @@ struct CoveredRings
 
   std::vector<unsigned int> number;
   std::vector<double>       length; ///< m
-  double                    all = 0.;
+
+  std::vector<std::array<double, 2>> extent; ///< m
+
+  double all = 0.;
 };
 
 } // namespace
@@ -96,6 +100,7 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
   friction_                              = {1., 0., law_.friction, teeth.sticking_stiffness, 0.};
 
   length_ = rings.length;
+  extent_ = rings.extent;
   for (const unsigned int r : rings.number)
     for (unsigned int c = 0; c < outside_.n_columns; ++c)
       node_.push_back(outside_.node[r * outside_.n_columns + c]);
@@ -428,43 +433,6 @@ void RollerStrips::add_forces(World &world, const double /*dt*/)
 {
   for (const unsigned int i : own_)
     measure(world, i);
-}
-
-void RollerStrips::raise_pressures(std::vector<double> &largest) const
-{
-  const unsigned int n_rings = flexibility_->n_rings();
-  for (const unsigned int i : own_)
-    {
-      if (!(states_[i].normal > 0.))
-        continue;
-      double             &of_joint = largest[records_[i].joint];
-      const StripProblem &problem  = rollers_[i].problem; // nothing else has a force
-      for (unsigned int k = 0; k < problem.n(); ++k)
-        if (const unsigned int a = problem.unknown[k]; problem.force[k] > 0.)
-          of_joint =
-              std::max(of_joint,
-                       problem.force[k] / (2. * flexibility_->grid().half_width[a / n_rings] *
-                                           radius_ * length_[a % n_rings]));
-    }
-}
-
-void RollerStrips::add_pressures(const World & /*world*/,
-                                 std::vector<NodePressure> &pressures) const
-{
-  const unsigned int n_rings = flexibility_->n_rings(), n = outside_.n_columns;
-  const double       width = 2. * PI * radius_ / n;
-  for (const unsigned int i : own_)
-    for (const Touching &touching : rollers_[i].touching)
-      {
-        if (touching.strip == not_laid)
-          continue; // just restored
-        const Strip       &strip = rollers_[i].strips[touching.strip];
-        const unsigned int ring  = touching.unknown % n_rings;
-        for (unsigned int k = 0; k < n_weights; ++k)
-          pressures.push_back({records_[i].slave,
-                               node_[ring * n + strip.column[k]],
-                               strip.weight[k] * touching.force / (width * length_[ring])});
-      }
 }
 
 void RollerStrips::serialize(const Archive &archive, const unsigned int rank)

@@ -13,7 +13,8 @@ using drive::ToothForm;
 
 // over the radius of a roller
 constexpr double narrow = 0.0125, wide = 0.09, growth = 0.25;
-constexpr double beyond = 0.2; ///< the middle of a tooth
+constexpr double beyond          = 0.2; ///< the middle of a tooth
+constexpr double strip_round_off = 1e-12;
 
 /// The point of the half profile @p length [m] from the bottom of the gap; it goes on beyond the
 /// middle of the tooth as its mirror image, and before the bottom likewise.
@@ -29,13 +30,9 @@ Tensor<1, 2> point_at(const ToothForm &form, const double length)
   for (const drive::Segment &segment : form.half_profile)
     {
       const double whole = segment.length();
-      if (left <= whole || whole <= 0.)
-        {
-          if (left <= whole && whole > 0.)
-            return segment.point(left / whole);
-          continue;
-        }
-      left -= whole;
+      if (whole > 0. && left <= (1. + strip_round_off) * whole)
+        return segment.point(std::min(1., left / whole));
+      left -= std::max(0., whole);
     }
   // mirrored across the middle of the tooth
   double all = 0.;
@@ -92,7 +89,10 @@ ToothStrips::ToothStrips(const ToothForm &form, const double radius)
       Strip strip;
       strip.middle = point_at(form, middle);
       for (const unsigned int g : {0u, 1u})
-        strip.gauss[g] = point_at(form, middle + (g == 0 ? -wide : wide) / std::sqrt(3.));
+        {
+          strip.gauss[g] = point_at(form, middle + (g == 0 ? -wide : wide) / std::sqrt(3.));
+          strip.ends[g]  = point_at(form, ends[i + g]);
+        }
       if (i > 0)
         spacing_ = std::max(spacing_, (strip.middle - strips_.back().middle).norm());
       strips_.push_back(strip);

@@ -37,8 +37,8 @@ std::string csv_files()
 constexpr const char *others = "(parameters\\.prm|input\\.prm|log\\.txt)";
 constexpr const char *series =
     "(histories(-[0-9]+)?\\.h5|histories\\.saved|checkpoint-[0-9]+\\.ckpt)";
-constexpr const char *lists       = "(bodies|bars)\\.pvd";
-constexpr const char *field_files = "(bodies|bars)_[0-9]+(\\.[0-9]+)?\\.p?vtu";
+constexpr const char *lists       = "(bodies|bars|contacts)\\.pvd";
+constexpr const char *field_files = "(bodies|bars|contacts)_[0-9]+(\\.[0-9]+)?\\.p?vtu";
 constexpr const char *summary =
     "(summary\\.json|acoustics\\.(json|h5)|noise_[A-Za-z0-9_]+\\.wav|report\\.html)";
 constexpr const char *unfinished = "\\.part";

@@ -161,7 +161,9 @@ in_cells(const VtuGrid &grid, const unsigned int components, const std::size_t n
 
 void write_vtu(std::ostream &out, const VtuGrid &grid, const double time, VtuPacked &before)
 {
-  const std::size_t points_per_cell = grid.cell == VtuGrid::Cell::line ? 2 : 8;
+  const std::size_t points_per_cell = grid.cell == VtuGrid::Cell::line ? 2 :
+                                      grid.cell == VtuGrid::Cell::quad ? 4 :
+                                                                         8;
   const std::size_t n_cells         = grid.connectivity.size() / points_per_cell;
 
   std::vector<std::int32_t> offsets(n_cells);

@@ -142,8 +142,9 @@ ElasticSnapshots::ElasticSnapshots(const dynamics::System &system)
     cells_[group->copies()] = group->stress_recoveries(system.world);
 }
 
-ElasticSnapshot ElasticSnapshots::of(const dynamics::System &system,
-                                     const World::Address   &place) const
+ElasticSnapshot ElasticSnapshots::of(const dynamics::System                  &system,
+                                     const World::Address                    &place,
+                                     const std::vector<dealii::Tensor<1, 3>> *deflection) const
 {
   const BodyBatches  &copies = system.world.copies[place.group];
   const ElasticGroup &group  = system.world.group_of(place.group);
@@ -152,6 +153,9 @@ ElasticSnapshot ElasticSnapshots::of(const dynamics::System &system,
       std::vector<dealii::Tensor<1, 3>>(n), std::vector<dealii::Tensor<1, 3>>(n), {}, {}};
   std::vector<dealii::Tensor<1, 3>> position, velocity;
   group.nodes_now(system.world, place.copy, position, velocity);
+  if (deflection != nullptr)
+    for (unsigned int node = 0; node < copies.n_nodes(); ++node)
+      position[node] += (*deflection)[node];
   for (unsigned int node = 0; node < copies.n_nodes(); ++node)
     {
       const unsigned int vertex     = copies.nodes.vertex[node];

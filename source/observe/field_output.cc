@@ -14,7 +14,7 @@ namespace chaindrive::observe
 FieldOutput::Drawing::Drawing(const scene::Scene     &scene,
                               const dynamics::System &system,
                               const std::string      &directory)
-    : fields(directory, system.world.communicator()), elastic(system)
+    : fields(directory, system.world.communicator()), elastic(system), massless(scene, system)
 {
   if (scene.strands.empty())
     strands.push_back({Spans(scene, system), make_tooth_forces(scene, system)});
@@ -153,15 +153,9 @@ void add_pressures(const dynamics::System &system, std::vector<ElasticSnapshot> 
 {
   const World                       &world = system.world;
   std::vector<contact::NodePressure> own;
-  bool                               known = false;
   for (const auto &family : system.contacts.families())
-    {
-      known = known || family->knows_pressure();
-      if (family->is_distributed() || world.is_first_rank())
-        family->add_pressures(world, own);
-    }
-  if (!known)
-    return;
+    if (family->is_distributed() || world.is_first_rank())
+      family->add_pressures(world, own);
   for (unsigned int b = 0; b < bodies.size(); ++b)
     bodies[b].pressure.assign(bodies[b].displacement.size(), 0.);
   for (const auto &of_rank : dealii::Utilities::MPI::all_gather(world.communicator(), own))
@@ -171,6 +165,36 @@ void add_pressures(const dynamics::System &system, std::vector<ElasticSnapshot> 
           const auto &nodes = world.copies[world.elastic_address[at.body].group].nodes;
           bodies[at.body].pressure[nodes.vertex[at.node]] += at.pressure;
         }
+}
+
+/// Whether contacts tell of pressure.
+bool know_pressure(const dynamics::System &system)
+{
+  for (const auto &family : system.contacts.families())
+    if (family->knows_pressure())
+      return true;
+  return false;
+}
+
+/// What touches, of the pairs that this rank evaluates.
+std::vector<PatchSnapshot> patches_of(const scene::Scene &scene, const dynamics::System &system)
+{
+  std::vector<PatchSnapshot> snapshots;
+  for (const auto &family : system.contacts.families())
+    {
+      std::vector<contact::PressurePatch> patches;
+      if (family->is_distributed() || system.world.is_first_rank())
+        family->add_patches(system.world, patches);
+      for (const contact::PressurePatch &patch : patches)
+        snapshots.push_back({patch.corners,
+                             patch.pressure,
+                             patch.normal_force,
+                             scene.bodies[patch.slave].number_in_fields(),
+                             scene.bodies[patch.master].number_in_fields(),
+                             patch.joint,
+                             static_cast<int>(family->interface().interface)});
+    }
+  return snapshots;
 }
 
 /// The frame of what stands at @p z [m] in @p frame.
@@ -217,12 +241,19 @@ void FieldOutput::write(const dynamics::System &system)
 
   const std::vector<Loads> loads = loads_of(scene_, system, drawing_->strands);
 
+  const auto                   massless = drawing_->massless.now(system);
   std::vector<ElasticSnapshot> elastic(world.n_bodies());
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
     if (world.elastic_address[b].group != World::Address::none && world.owns(b))
-      elastic[b] = drawing_->elastic.of(system, world.elastic_address[b]);
+      {
+        const auto found = massless.find(b);
+        elastic[b]       = drawing_->elastic.of(
+            system, world.elastic_address[b], found == massless.end() ? nullptr : &found->second);
+      }
 
-  add_pressures(system, elastic);
+  const bool pressure = know_pressure(system);
+  if (pressure)
+    add_pressures(system, elastic);
 
   std::vector<BodySnapshot> bodies;
   for (unsigned int b = 0; b < world.n_bodies(); ++b)
@@ -270,6 +301,8 @@ void FieldOutput::write(const dynamics::System &system)
           }
     }
 
-  drawing_->fields.write(world.time, bodies, snapshots_of_bars(system));
+  const std::vector<PatchSnapshot> patches = patches_of(scene_, system);
+  drawing_->fields.write(
+      world.time, bodies, snapshots_of_bars(system), pressure ? &patches : nullptr);
 }
 } // namespace chaindrive::observe

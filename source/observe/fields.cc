@@ -201,6 +201,29 @@ files::VtuGrid grid_of(const std::vector<BarSnapshot> &bars)
     }
   return grid;
 }
+
+files::VtuGrid grid_of(const std::vector<PatchSnapshot> &contacts)
+{
+  files::VtuGrid grid;
+  grid.cell         = files::VtuGrid::Cell::quad;
+  grid.cell_data    = {{"contact_pressure", 1, {}}, {"normal_force", 1, {}}};
+  grid.cell_numbers = {{"body", {}}, {"other_body", {}}, {"joint", {}}, {"interface", {}}};
+  for (const PatchSnapshot &patch : contacts)
+    {
+      for (const dealii::Point<3> &corner : patch.corners)
+        {
+          grid.connectivity.push_back(static_cast<std::int32_t>(grid.connectivity.size()));
+          append(grid.points, corner);
+        }
+      grid.cell_data[0].values.push_back(static_cast<float>(patch.pressure));
+      grid.cell_data[1].values.push_back(static_cast<float>(patch.normal_force));
+      grid.cell_numbers[0].values.push_back(patch.body);
+      grid.cell_numbers[1].values.push_back(patch.other);
+      grid.cell_numbers[2].values.push_back(static_cast<std::int32_t>(patch.joint));
+      grid.cell_numbers[3].values.push_back(patch.interface);
+    }
+  return grid;
+}
 } // namespace
 
 void Fields::set_up(const std::vector<BodySnapshot> &bodies)
@@ -246,9 +269,10 @@ void Fields::set_up(const std::vector<BodySnapshot> &bodies)
                       {"tooth_load", 1, std::vector<float>(n_cells)}};
 }
 
-void Fields::write(const double                     time,
-                   const std::vector<BodySnapshot> &bodies,
-                   const std::vector<BarSnapshot>  &bars)
+void Fields::write(const double                      time,
+                   const std::vector<BodySnapshot>  &bodies,
+                   const std::vector<BarSnapshot>   &bars,
+                   const std::vector<PatchSnapshot> *contacts)
 {
   const Shown shown = shown_of(bodies, comm_);
   set_up(bodies);
@@ -288,5 +312,7 @@ void Fields::write(const double                     time,
   bodies_.write(grid_, time);
   if (!bars.empty())
     bars_.write(grid_of(bars), time);
+  if (contacts != nullptr)
+    contacts_.write(grid_of(*contacts), time);
 }
 } // namespace chaindrive::observe

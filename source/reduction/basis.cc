@@ -205,6 +205,14 @@ Basis make_basis(const FreePart            &part,
   return basis;
 }
 
+Vector massless_displacement(const FreePart &part, const Basis &basis, const Vector &force)
+{
+  Vector u = part.displacement(force);
+  for (unsigned int i = 0; i < basis.size(); ++i)
+    u.add(-(force * basis.modes[i]) / (basis.omega[i] * basis.omega[i]), basis.modes[i]);
+  return u;
+}
+
 double static_compliance(const Basis &basis, const Vector &force)
 {
   double compliance = 0.;

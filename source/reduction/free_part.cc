@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/reduction/free_part.h>
 
+#include <deal.II/base/index_set.h>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/trilinos_solver.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -164,25 +170,58 @@ double FreePart::mass_product(const Vector &a, const Vector &b) const
   return sum;
 }
 
-Vector FreePart::displacement(const Vector &force) const
+std::vector<unsigned int> FreePart::fixed_unknowns() const
 {
   std::vector<unsigned int> fixed = supports_;
   for (unsigned int i = 0; i < n_unknowns(); ++i)
     if (is_held(i))
       fixed.push_back(i);
-  if (!inverse_)
+  return fixed;
+}
+
+dealii::SparseMatrix<double> FreePart::supported_stiffness() const
+{
+  dealii::SparseMatrix<double> supported(pattern_);
+  supported.copy_from(stiffness_);
+  for (const unsigned int i : fixed_unknowns())
+    for (auto entry = supported.begin(i); entry != supported.end(i); ++entry)
+      if (entry->column() != i)
+        {
+          supported.set(entry->column(), i, 0.);
+          entry->value() = 0.;
+        }
+  return supported;
+}
+
+/// Its factors by Amesos, which solves without refinement.
+struct FreePart::QuickInverse
+{
+  explicit QuickInverse(const dealii::SparseMatrix<double> &stiffness)
+      : solver(control), u(dealii::complete_index_set(stiffness.m()), MPI_COMM_SELF), force(u)
+  {
+    matrix.reinit(stiffness);
+    solver.initialize(matrix);
+  }
+
+  dealii::SolverControl                  control;
+  dealii::TrilinosWrappers::SparseMatrix matrix;
+  dealii::TrilinosWrappers::SolverDirect solver;
+  dealii::TrilinosWrappers::MPI::Vector  u, force;
+};
+
+FreePart::~FreePart() = default;
+
+void FreePart::expect_many_forces()
+{
+  quick_ = std::make_unique<QuickInverse>(supported_stiffness());
+}
+
+Vector FreePart::displacement(const Vector &force) const
+{
+  if (!inverse_ && !quick_)
     {
-      dealii::SparseMatrix<double> supported(pattern_);
-      supported.copy_from(stiffness_);
-      for (const unsigned int i : fixed)
-        for (auto entry = supported.begin(i); entry != supported.end(i); ++entry)
-          if (entry->column() != i)
-            {
-              supported.set(entry->column(), i, 0.);
-              entry->value() = 0.;
-            }
       inverse_ = std::make_unique<dealii::SparseDirectUMFPACK>();
-      inverse_->initialize(supported);
+      inverse_->initialize(supported_stiffness());
     }
 
   Vector balanced = force, u(n_unknowns());
@@ -194,9 +233,16 @@ Vector FreePart::displacement(const Vector &force) const
       mass_.vmult(u, motion);
       balanced.add(-(motion * force), u);
     }
-  for (const unsigned int i : fixed)
+  for (const unsigned int i : fixed_unknowns())
     balanced[i] = 0.;
-  inverse_->vmult(u, balanced);
+  if (quick_)
+    {
+      std::copy(balanced.begin(), balanced.end(), quick_->force.begin());
+      quick_->solver.solve(quick_->u, quick_->force);
+      std::copy(quick_->u.begin(), quick_->u.end(), u.begin());
+    }
+  else
+    inverse_->vmult(u, balanced);
   for (const Vector &motion : rigid_)
     u.add(-mass_product(motion, u), motion);
   return u;

@@ -49,10 +49,12 @@ int main()
                            "histories_rollers.csv",
                            "bodies.pvd",
                            "bars.pvd",
+                           "contacts.pvd",
                            "summary.json",
                            "summary.json.part",
                            "fields/bodies_000000.vtu",
                            "fields/bars_000012.vtu.part",
+                           "fields/contacts_000012.1.vtu",
                            "checkpoint-000000012.ckpt", // all these are replaced
                            "histories_mine.csv",
                            "my histories.h5",

@@ -96,13 +96,26 @@ void write_on_two_ranks(const observe::BodySnapshot &rigid, const observe::BodyS
 {
   const unsigned int rank = rank_in(MPI_COMM_WORLD);
   observe::Fields    fields(".", MPI_COMM_WORLD);
-  fields.write(0., {rank == 0 ? rigid : elastic});
+  // what touches is known to the second rank alone
+  const observe::PatchSnapshot              patch{{}, 1e6, 2., 7, 8, 3, 1};
+  const std::vector<observe::PatchSnapshot> contacts(rank, patch);
+  fields.write(0., {rank == 0 ? rigid : elastic}, {}, &contacts);
   MPI_Barrier(MPI_COMM_WORLD);
   if (rank > 0)
     return;
   const auto names = names_in("fields/bodies_000000.pvtu");
   for (const std::string &name : names)
     std::cout << name << ' ';
+  std::cout << std::endl;
+  std::cout << "contacts:";
+  for (const std::string &name : names_in("fields/contacts_000000.pvtu"))
+    std::cout << ' ' << name;
+  for (const int piece : {0, 1})
+    std::cout << "; piece " << piece << ": "
+              << read_array<float>(
+                     files::read_text("fields/contacts_000000." + std::to_string(piece) + ".vtu"),
+                     "normal_force")
+                     .size();
   std::cout << std::endl;
   for (const int piece : {0, 1})
     std::cout << "as in piece " << piece << ": "
@@ -173,7 +186,16 @@ int main(int argc, char *argv[])
 
   observe::Fields fields(".");
   fields.write(0., {roller});
-  fields.write(1e-3, {rigid, elastic}, {bar, bar});
+  const std::vector<observe::PatchSnapshot> contacts = {
+      {{{Point<3>(), Point<3>(1., 0., 0.), Point<3>(1., 2., 0.), Point<3>(0., 2., 0.)}},
+       3e8,
+       6e8,
+       7,
+       8,
+       5,
+       0},
+      {{{Point<3>(), Point<3>(), Point<3>(), Point<3>(0., 0., 3.)}}, 4e8, 0.5, 9, 10, 6, 2}};
+  fields.write(1e-3, {rigid, elastic}, {bar, bar}, &contacts);
 
   const std::string text         = files::read_text("fields/bodies_000001.vtu");
   const auto        points       = read_array<float>(text, "position");
@@ -291,7 +313,19 @@ int main(int argc, char *argv[])
             << read_array<std::int32_t>(bars, "connectivity")[3] << ", tension "
             << read_array<float>(bars, "tension")[1] << ", number "
             << read_array<std::int32_t>(bars, "bar")[1] << std::endl;
-  for (const char *list : {"bodies.pvd", "bars.pvd"})
+  const std::string touching = files::read_text("fields/contacts_000000.vtu");
+  const auto        corners  = read_array<float>(touching, "position");
+  std::cout << "contacts: points " << corners.size() / 3 << ", third " << corners[6] << ' '
+            << corners[7] << ", last " << corners.back() << ", type "
+            << int(read_array<unsigned char>(touching, "types")[1]) << ", last offset "
+            << read_array<std::int32_t>(touching, "offsets").back() << ", pressure "
+            << read_array<float>(touching, "contact_pressure")[0] << ", force "
+            << read_array<float>(touching, "normal_force")[1];
+  for (const char *number : {"body", "other_body", "joint", "interface"})
+    std::cout << ", " << number << ' ' << read_array<std::int32_t>(touching, number)[0] << ' '
+              << read_array<std::int32_t>(touching, number)[1];
+  std::cout << std::endl;
+  for (const char *list : {"bodies.pvd", "bars.pvd", "contacts.pvd"})
     {
       const std::string record = files::read_text(list);
       for (std::size_t at = record.find("<DataSet"); at != std::string::npos;

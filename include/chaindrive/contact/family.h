@@ -8,6 +8,7 @@
 #include <chaindrive/scene/interface.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -37,6 +38,30 @@ struct NodePressure
   void serialize(BoostArchive &archive, unsigned int)
   {
     archive &body &node &pressure;
+  }
+};
+
+/// A piece of a surface that presses another one evenly, as fine as forces between them are found.
+struct PressurePatch
+{
+  unsigned int slave, master; ///< bodies
+  unsigned int joint;         ///< as in Record
+
+  std::array<dealii::Point<3>, 4> corners;      ///< round and round, world, m
+  double                          normal_force; ///< N
+  double                          pressure;     ///< that over the area of the patch, Pa
+};
+
+/// The force of a contact on a node of a body.
+struct NodeForce
+{
+  unsigned int         body, node; ///< number of the part's node
+  dealii::Tensor<1, 3> force;      ///< N, world
+
+  template <typename BoostArchive>
+  void serialize(BoostArchive &archive, unsigned int)
+  {
+    archive &body &node &force;
   }
 };
 
@@ -134,9 +159,20 @@ public:
   /// evaluates.
   virtual void raise_pressures(std::vector<double> & /*largest*/) const {}
 
-  /// Appends the pressures on the nodes of the slaves that this rank evaluates; several of one node
-  /// add up.
+  /// Appends the pressures on the nodes of elastic bodies in the pairs that this rank evaluates;
+  /// several of one node add up. With the areas of the nodes those of a slave add up to its normal
+  /// force; a master in whose bore it is has the same at its own nodes.
   virtual void add_pressures(const World &, std::vector<NodePressure> &) const {}
+
+  /// Appends what touches in the pairs that this rank evaluates in pieces, which lie on one of both
+  /// bodies as it is without deflection; of a symmetry model those at z >= 0. Surfaces that are
+  /// neither round nor flanks have none.
+  virtual void add_patches(const World &, std::vector<PressurePatch> &) const {}
+
+  /// Appends the forces on nodes of reduced bodies in the pairs that this rank evaluates without a
+  /// penalty: what their bodies deflect beside their modes follows them without inertia. Several
+  /// on one node add up.
+  virtual void add_massless_forces(const World &, std::vector<NodeForce> &) const {}
 
   /// Whether add_forces() looks at frames of free bodies: not where all of them are PlanarBodies.
   virtual bool reads_frames() const { return true; }

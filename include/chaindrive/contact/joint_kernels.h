@@ -22,8 +22,10 @@ struct JointGrid
   unsigned int  first_ring, end_ring; ///< of the slave's, those that a search looks at
   double        master_radius;        ///< undeformed, m
   double        chord_factor;         ///< 4 sin^2(pi / master_circumferential)
-  bool          half;  ///< the bore goes on beyond its first ring, see mesh::Part::half
-  const double *area;  ///< per slave ring, of each node there, m2
+  bool          half; ///< the bore goes on beyond its first ring, see mesh::Part::half
+  const double *area; ///< per slave ring, of each node there, m2
+  const double
+      *inside; ///< the same of the part that is inside a bore that is not displaced along it
   const double *cover; ///< 1/m; per slave ring, one over half of the length it stands for
 };
 

@@ -32,7 +32,7 @@ public:
 
 private:
   JointGrid           grid_;
-  std::vector<double> area_, cover_;
+  std::vector<double> area_, inside_, cover_;
 };
 
 /// Offsets [ring][column] of the nodes of a side in the state of a batch of bodies, for
@@ -143,18 +143,32 @@ public:
   /// Contact forces of the last call and what the nodes remember, [slave node][TouchEntry][lane].
   const dealii::AlignedVector<double> &state() const { return state_; }
 
-  /// Calls @p visit (slave node, pressure) for the nodes of the joint in @p lane that touch, Pa.
+  /// What touches at a node of a cylinder.
+  struct TouchingNode
+  {
+    unsigned int          node;       ///< [ring][column]
+    double                normal;     ///< force, N
+    double                pressure;   ///< over the part of its area that is inside the bore, Pa
+    std::array<double, 2> tangential; ///< on the node round the bore, and along it, N
+  };
+
+  /// Calls @p visit with each TouchingNode of the joint in @p lane.
   template <typename Visit>
-  void for_each_pressure(const unsigned int lane, const Visit &visit) const
+  void for_each_touching(const unsigned int lane, const Visit &visit) const
   {
     const unsigned int n = grid_.slave_circumferential;
     for (unsigned int s = 0; s < grid_.slave_rings; ++s)
       for (unsigned int i = 0; i < window_.count[lane]; ++i)
         {
-          const unsigned int node = s * n + (window_.first[lane] + i) % n;
-          const double normal = state_[(node * n_touch_entries + touch_normal) * n_lanes + lane];
-          if (normal > 0.)
-            visit(node, normal / grid_.area[s]);
+          const unsigned int node  = s * n + (window_.first[lane] + i) % n;
+          const auto         entry = [&](const TouchEntry e) {
+            return state_[(node * n_touch_entries + e) * n_lanes + lane];
+          };
+          if (const double normal = entry(touch_normal); normal > 0.)
+            visit(TouchingNode{node,
+                               normal,
+                               normal / grid_.inside[s],
+                               {{entry(touch_tangential_around), entry(touch_tangential_along)}}});
         }
   }
 

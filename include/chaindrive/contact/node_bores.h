@@ -59,6 +59,8 @@ public:
   bool knows_pressure() const override { return true; }
   void raise_pressures(std::vector<double> &largest) const override;
   void add_pressures(const World &world, std::vector<NodePressure> &pressures) const override;
+  void add_patches(const World &world, std::vector<PressurePatch> &patches) const override;
+  void add_massless_forces(const World &world, std::vector<NodeForce> &forces) const override;
 
   void                        serialize(const Archive &archive, unsigned int rank) override;
   std::optional<unsigned int> deepest_node(unsigned int i) const override;
@@ -80,6 +82,9 @@ private:
   /// Pairs whose two sides are the same surfaces of the same parts.
   struct Group
   {
+    /// Of the undeformed parts: bore and cylinder.
+    std::unique_ptr<const std::array<mesh::CylinderGrid, 2>> grids;
+
     std::unique_ptr<const JointTables>                tables;
     std::vector<unsigned int>                         master_nodes, slave_nodes; ///< node_offsets()
     std::map<unsigned int, std::vector<unsigned int>> ghost_nodes; ///< same, of batches of others
@@ -122,6 +127,35 @@ private:
   };
 
   Stance stance(const World &world, unsigned int pair) const;
+
+  /// A node of the cylinder in the bore, of undeformed parts.
+  struct InBore
+  {
+    dealii::Tensor<1, 3>        e, round, along; ///< away from the bore's axis, round and along it
+    std::array<unsigned int, 4> place;           ///< [ring][column] of the bore's nodes about it
+    std::array<double, 4>       weight;          ///< their shares; sum 1
+  };
+  InBore
+  in_bore(const World &world, const Group &group, unsigned int pair, unsigned int node) const;
+
+  /// Appends the pressures on the nodes of a bore: those of the cylinder in it, @p on_cylinder, at
+  /// their places.
+  void add_bore_pressures(const World               &world,
+                          const Group               &group,
+                          unsigned int               pair,
+                          const std::vector<double> &on_cylinder,
+                          std::vector<NodePressure> &pressures) const;
+
+  /// Calls @p visit (group, pair, touching node) for all that touch.
+  template <typename Visit>
+  void for_each_touching(const Visit &visit) const
+  {
+    for (const Group &group : groups_)
+      for (unsigned int i = 0; i < group.pairs.size(); ++i)
+        group.batches[i / n_lanes]->for_each_touching(
+            i % n_lanes,
+            [&](const JointBatch::TouchingNode &at) { visit(group, group.pairs[i], at); });
+  }
 
   /// One beyond the last pair of a group in the batch of joints number @p b.
   static std::size_t end_of_lanes(const Group &group, unsigned int b);

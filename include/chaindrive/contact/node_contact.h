@@ -5,6 +5,7 @@
 #include <chaindrive/contact/search_cadence.h>
 #include <chaindrive/contact/slave_nodes.h>
 #include <chaindrive/contact/surface_contact.h>
+#include <chaindrive/mesh/surface/cylinder_grid.h>
 #include <chaindrive/mesh/surface/facet_surface.h>
 
 #include <limits>
@@ -48,6 +49,7 @@ public:
   bool knows_pressure() const override { return true; }
   void raise_pressures(std::vector<double> &largest) const override;
   void add_pressures(const World &world, std::vector<NodePressure> &pressures) const override;
+  void add_patches(const World &world, std::vector<PressurePatch> &patches) const override;
 
   void serialize(const Archive &archive, unsigned int rank) override;
 
@@ -125,6 +127,13 @@ private:
           visit(i, s, normal / slaves_.area(s));
   }
 
+  /// The side as a grid, and the number in it of each node of the side.
+  struct Round
+  {
+    mesh::CylinderGrid        grid;
+    std::vector<unsigned int> place;
+  };
+
   std::shared_ptr<const Surface> surface_;
   SlaveNodes                     slaves_;
   std::vector<unsigned int>      own_;   ///< those near that this rank evaluates
@@ -137,5 +146,7 @@ private:
   double                   half_angle_;        ///< see scene::SurfaceFamily, rad
   std::vector<Visit>       visits_;            ///< of one body, on a surface that deflects
   std::vector<SpringPoint> penetrating_;       ///< nodes of it
+
+  mutable std::unique_ptr<const Round> round_; ///< when first asked for
 };
 } // namespace chaindrive::contact

@@ -56,6 +56,8 @@ public:
   bool knows_pressure() const override { return true; }
   void raise_pressures(std::vector<double> &largest) const override; ///< of strips
   void add_pressures(const World &world, std::vector<NodePressure> &pressures) const override;
+  void add_patches(const World &world, std::vector<PressurePatch> &patches) const override;
+  void add_massless_forces(const World &world, std::vector<NodeForce> &forces) const override;
 
   void serialize(const Archive &archive, unsigned int rank) override;
 
@@ -181,6 +183,9 @@ private:
   /// at most, and the round roller overlaps by @p overlap, m.
   void list_unknowns(Roller &roller, double by_modes, double overlap);
 
+  /// The pressure of the @p force [N] on an @p unknown of StripProblem, Pa.
+  double pressure(unsigned int unknown, double force) const;
+
   /// Shares out the @p force on a strip to nodes of a @p ring, in loads_.
   void carry(const Strip &strip, unsigned int ring, double force);
 
@@ -218,6 +223,7 @@ private:
   std::vector<unsigned int>               load_of_;      ///< [ring][column], numbers, or no_load
   std::vector<unsigned int>               node_;         ///< of their outside, [ring][column]
   std::vector<double>                     length_;       ///< that each of these rings stands for, m
+  std::vector<std::array<double, 2>>      extent_;       ///< from where to where along the axis, m
   double                                  half_angle_;   ///< of the largest contact in a seat, rad
   double                                  half_line_;    ///< and on a flank, rad
   double                                  mobility_;     ///< as in ClosedWindow

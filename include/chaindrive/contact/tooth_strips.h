@@ -24,6 +24,7 @@ public:
   {
     dealii::Tensor<1, 2>                middle; ///< m
     std::array<dealii::Tensor<1, 2>, 2> gauss;  ///< points of the rule of Gauss, m
+    std::array<dealii::Tensor<1, 2>, 2> ends;   ///< m
   };
 
   const std::vector<Strip> &strips() const { return strips_; }

@@ -16,6 +16,7 @@ struct VtuGrid
   enum class Cell : std::uint8_t
   {
     line       = 3,
+    quad       = 9,
     hexahedron = 12
   };
 
@@ -42,7 +43,7 @@ struct VtuGrid
 
   Cell                      cell = Cell::hexahedron;
   std::vector<float>        points;       ///< three coordinates each [m]
-  std::vector<std::int32_t> connectivity; ///< 2 or 8 points of each cell, in VTK's order
+  std::vector<std::int32_t> connectivity; ///< 2, 4 or 8 points of each cell, in VTK's order
   std::vector<FloatData>    point_data;
   std::vector<FloatData>    cell_data;
   std::vector<IntegerData>  cell_numbers;

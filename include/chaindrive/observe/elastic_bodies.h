@@ -37,8 +37,11 @@ class ElasticSnapshots
 public:
   explicit ElasticSnapshots(const dynamics::System &system);
 
-  /// Of an elastic body, or of a sector of a rim, that this rank owns.
-  ElasticSnapshot of(const dynamics::System &system, const World::Address &place) const;
+  /// Of an elastic body, or of a sector of a rim, that this rank owns; with a @p deflection [m,
+  /// world] of its nodes beside its modes (MasslessDeflections), unless that is null.
+  ElasticSnapshot of(const dynamics::System                  &system,
+                     const World::Address                    &place,
+                     const std::vector<dealii::Tensor<1, 3>> *deflection = nullptr) const;
 
 private:
   /// By group of copies.

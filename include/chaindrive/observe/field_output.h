@@ -6,6 +6,7 @@
 #include <chaindrive/model/model.h>
 #include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/observe/fields.h>
+#include <chaindrive/observe/massless_deflections.h>
 #include <chaindrive/observe/schedule.h>
 #include <chaindrive/observe/spans.h>
 #include <chaindrive/observe/tooth_forces.h>
@@ -58,6 +59,7 @@ private:
     std::map<scene::PartOf, PartPatches> parts;   ///< of a sprocket with a rim: its rigid zone
     std::map<unsigned int, PartPatches>  sectors; ///< of rims, by group of copies
     ElasticSnapshots                     elastic;
+    MasslessDeflections                  massless;
     std::vector<StrandForces>            strands; ///< of the first rank
   };
 

@@ -68,8 +68,19 @@ struct BarSnapshot
   double                              tension;      ///< N
 };
 
+/// A piece of a surface that presses another one evenly, at one instant.
+struct PatchSnapshot
+{
+  std::array<dealii::Point<3>, 4> corners;                ///< round and round [m]
+  double                          pressure, normal_force; ///< Pa, N
+
+  int          body, other; ///< numbers of the bodies that touch
+  unsigned int joint;
+  int          interface; ///< number of scene::Interface
+};
+
 /// Field output of the moving chain for ParaView: the series `bodies` and, when there are bars,
-/// `bars` (files::VtuSeries).
+/// `bars` (files::VtuSeries); where contacts know pressure, `contacts`.
 ///
 /// Points lie where they are now and carry displacement and velocity, and contact pressure where
 /// surfaces of elastic bodies know it; cells carry the body's
@@ -83,20 +94,26 @@ class Fields
 public:
   /// Each rank of @p comm writes its own bodies to @p directory.
   explicit Fields(const std::string &directory, MPI_Comm comm = MPI_COMM_SELF)
-      : comm_(comm), bodies_(directory, "bodies", comm), bars_(directory, "bars", comm)
+      : comm_(comm)
+      , bodies_(directory, "bodies", comm)
+      , bars_(directory, "bars", comm)
+      , contacts_(directory, "contacts", comm)
   {
   }
 
-  /// Collective; bars are the first rank's.
-  void write(double                           time,
-             const std::vector<BodySnapshot> &bodies,
-             const std::vector<BarSnapshot>  &bars = {});
+  /// Collective; bars are the first rank's. @p contacts are what touches at this instant, of each
+  /// rank its own; null, on all ranks: nothing tells.
+  void write(double                            time,
+             const std::vector<BodySnapshot>  &bodies,
+             const std::vector<BarSnapshot>   &bars     = {},
+             const std::vector<PatchSnapshot> *contacts = nullptr);
 
   /// The lists of instants.
   void serialize(const Archive &archive)
   {
     bodies_.serialize(archive);
     bars_.serialize(archive);
+    contacts_.serialize(archive);
   }
 
 private:
@@ -121,7 +138,7 @@ private:
   };
 
   MPI_Comm                  comm_;
-  files::VtuSeries          bodies_, bars_;
+  files::VtuSeries          bodies_, bars_, contacts_;
   files::VtuGrid            grid_; ///< of bodies
   std::vector<Drawn>        drawn_;
   std::vector<unsigned int> gap_; ///< of a sprocket that is nearest to each of its cells, in turn

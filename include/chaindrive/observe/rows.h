@@ -70,6 +70,16 @@ void find_pressures(const Observation                     &now,
     }
 }
 
+/// Raises @p most [Pa], not a number at first, to the largest of the @p pressures at a sample in
+/// the window.
+inline void
+raise_in_window(const Observation &now, const std::vector<double> &pressures, double &most)
+{
+  if (now.time() >= now.window().start() && now.time() <= now.window().end())
+    for (const double pressure : pressures)
+      most = std::fmax(most, pressure); // ignores NaN
+}
+
 /// Whether @p families have elastic surfaces.
 template <typename FamilyType>
 bool know_pressure(const std::vector<const FamilyType *> &families)

@@ -6,6 +6,7 @@
 #include <chaindrive/scene/scene.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,7 +32,11 @@ struct ToothForces
   std::vector<double>                          in_gap, in_gap_peak; ///< per gap of the sprocket
   std::vector<double>                          pressure;            ///< per joint, Pa
   double                                       penetration = 0.;    ///< largest so far, m
-  bool                                         flat = false; ///< a drum: its gaps are sectors
+
+  /// Largest in the window so far, Pa.
+  double pressure_max = std::numeric_limits<double>::quiet_NaN();
+
+  bool flat = false; ///< a drum: its gaps are sectors
 
   /// Looks at what presses now.
   void update()

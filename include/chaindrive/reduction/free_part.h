@@ -31,6 +31,7 @@ class FreePart
 public:
   /// The arguments are read, not kept. @p elastic is that of @p part with @p nodes.
   FreePart(const mesh::Part &part, const mesh::Nodes &nodes, const element::ElasticPart &elastic);
+  ~FreePart();
 
   unsigned int n_unknowns() const { return stiffness_.m(); }
 
@@ -62,6 +63,10 @@ public:
   /// K u = f - M R R^T f, R^T M u = 0 (inertia relief).
   Vector displacement(const Vector &force) const;
 
+  /// From now on displacement() is for many forces: it no longer refines its solutions, which costs
+  /// several times as much as they do. They lose a few of their digits.
+  void expect_many_forces();
+
 private:
   /// Whether K and M commute with this reflection, as they do if it is a symmetry.
   bool commutes(const Symmetry &reflection) const;
@@ -78,7 +83,14 @@ private:
   /// them held the part is supported as a statically determinate body.
   std::vector<unsigned int> supports_;
 
+  /// What is held of the supported part, and its stiffness, N/m.
+  std::vector<unsigned int>    fixed_unknowns() const;
+  dealii::SparseMatrix<double> supported_stiffness() const;
+
   /// Of the supported part, made when first needed.
   mutable std::unique_ptr<dealii::SparseDirectUMFPACK> inverse_;
+
+  struct QuickInverse;
+  std::unique_ptr<QuickInverse> quick_; ///< in its place, if many forces are expected
 };
 } // namespace chaindrive::reduction

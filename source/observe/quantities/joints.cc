@@ -3,6 +3,7 @@
 #include <chaindrive/observe/rows.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 // What the parts of a joint do to each other: pins in bushes, bushes in rollers.
@@ -55,9 +56,15 @@ public:
             {path + "_pressure", "Pa", "Largest contact pressure on a node of an elastic joint"});
       }
     for (const scene::Interface interface : all_interfaces)
-      contents.summary.push_back({"penetration_max/" + parameters::text_of(interface),
-                                  "m",
-                                  "penetration of the two sides, largest"});
+      {
+        contents.summary.push_back({"penetration_max/" + parameters::text_of(interface),
+                                    "m",
+                                    "penetration of the two sides, largest"});
+        contents.summary.push_back({"contact_pressure_max/" + parameters::text_of(interface),
+                                    "Pa",
+                                    "largest contact pressure at samples in the window, of "
+                                    "elastic joints"});
+      }
     return contents;
   }
 
@@ -92,7 +99,10 @@ public:
   {
     for (Kind &kind : kinds_)
       if (know_pressure(kind.families))
-        find_pressures(now_, kind.families, kind.pressure);
+        {
+          find_pressures(now_, kind.families, kind.pressure);
+          raise_in_window(now_, kind.pressure, kind.pressure_max);
+        }
   }
 
   void begin_interval() override
@@ -104,7 +114,11 @@ public:
   void summarize(files::Json &summary) const override
   {
     for (const Kind &kind : kinds_)
-      summary["penetration_max"][kind.name] = kind.penetration;
+      {
+        summary["penetration_max"][kind.name] = kind.penetration;
+        if (know_pressure(kind.families))
+          summary["contact_pressure_max"][kind.name] = kind.pressure_max;
+      }
   }
 
   void serialize(const Archive &archive) override
@@ -114,6 +128,7 @@ public:
         const Archive part = archive / kind.name;
         part.numbers("peak", kind.peak);
         part("overlap", kind.penetration);
+        part("pressure", kind.pressure_max);
       }
   }
 
@@ -125,6 +140,9 @@ private:
     std::vector<double>                  force, peak;      ///< per joint, N
     std::vector<double>                  pressure;         ///< per joint, Pa
     double                               penetration = 0.; ///< largest so far, m
+
+    /// Largest in the window so far, Pa.
+    double pressure_max = std::numeric_limits<double>::quiet_NaN();
   };
   std::vector<Kind> kinds_;
 };

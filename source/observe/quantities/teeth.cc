@@ -36,6 +36,10 @@ public:
         contents.summary.push_back({"penetration_max/" + scene::name_of_teeth(name),
                                     "m",
                                     "penetration of the two sides, largest"});
+        contents.summary.push_back({"contact_pressure_max/" + scene::name_of_teeth(name),
+                                    "Pa",
+                                    "largest contact pressure at samples in the window, of "
+                                    "elastic rollers"});
       }
     return contents;
   }
@@ -72,7 +76,10 @@ public:
   {
     for (ToothForces &forces : sprockets_)
       if (know_pressure(forces.families))
-        find_pressures(now_, forces.families, forces.pressure);
+        {
+          find_pressures(now_, forces.families, forces.pressure);
+          raise_in_window(now_, forces.pressure, forces.pressure_max);
+        }
   }
 
   void begin_interval() override
@@ -85,7 +92,11 @@ public:
   void summarize(files::Json &summary) const override
   {
     for (const ToothForces &forces : sprockets_)
-      summary["penetration_max"][scene::name_of_teeth(forces.name)] = forces.penetration;
+      {
+        summary["penetration_max"][scene::name_of_teeth(forces.name)] = forces.penetration;
+        if (know_pressure(forces.families))
+          summary["contact_pressure_max"][scene::name_of_teeth(forces.name)] = forces.pressure_max;
+      }
   }
 
   void serialize(const Archive &archive) override
@@ -98,6 +109,7 @@ public:
         part.numbers("gap", forces.in_gap);
         part.numbers("gap peak", forces.in_gap_peak);
         part("overlap", forces.penetration);
+        part("pressure", forces.pressure_max);
         forces.replace_all();
       }
   }
