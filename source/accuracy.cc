@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/accuracy.h>
 #include <chaindrive/accuracy_table.h>
-#include <chaindrive/commands.h>
-#include <chaindrive/cost.h>
-#include <chaindrive/drive/groups.h>
 #include <chaindrive/files/file.h>
-#include <chaindrive/model/reading.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/statics/cache.h>
 #include <chaindrive/utilities/checksum.h>
@@ -18,9 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
 #include <map>
-#include <optional>
 #include <set>
 #include <sstream>
 
@@ -28,9 +22,6 @@ namespace chaindrive
 {
 namespace
 {
-constexpr const char *calibration = "calibration"; ///< what scripts/study/accuracy.py calls it
-constexpr const char *prediction  = "prediction";  ///< what predicted() calls it
-
 std::vector<std::string> split(const std::string &line, const char separator)
 {
   std::vector<std::string> words;
@@ -45,96 +36,19 @@ double number(const std::string &text)
   return parameters::from_entry_text(text, parameters::unit::si).value_or(std::nan(""));
 }
 
-bool is_cheaper(const StudyResult &a, const StudyResult &b) { return a.share() < b.share(); }
-bool is_better(const StudyResult &a, const StudyResult &b) { return a.bound() < b.bound(); }
+std::string error_text(const StudyResult &result)
+{
+  return in_percent(result.error) + " (" + in_percent(result.low) + " ... " +
+         in_percent(result.high) + ")";
+}
+} // namespace
 
-/// Two digits, or all before the point.
 std::string in_percent(const double value)
 {
   const double percent = 100. * value;
   return (value < 0. ? "" : "+") +
          (std::abs(percent) < 99.5 ? to_text(percent, 2) : to_text(std::round(percent), 9)) + " %";
 }
-
-std::string error_text(const StudyResult &result)
-{
-  return in_percent(result.error) + " (" + in_percent(result.low) + " ... " +
-         in_percent(result.high) + ")";
-}
-
-std::string in_words(const StudyResult &result)
-{
-  return result.variant +
-         (result.study == calibration ? ", calibrated on this drive" :
-          result.study == prediction  ? ", as other drives let expect" :
-                                        " of study " + result.study) +
-         (result.variant == result.reference ? ", the reference, itself known within " :
-                                               ", against " + result.reference + " ") +
-         error_text(result);
-}
-
-/// What tells the variant of @p result from the program's own choices.
-std::string entries_text(const StudyResult &result)
-{
-  const std::string automatic = "=auto";
-  std::string       text;
-  for (const std::string &entry : result.overrides)
-    if (entry.size() < automatic.size() ||
-        entry.compare(entry.size() - automatic.size(), automatic.size(), automatic) != 0)
-      text += (text.empty() ? "" : "; ") + entry;
-  return text;
-}
-
-/// How models did on the drives of @p results, in sentences, each after a blank.
-std::string
-on_others(const std::vector<StudyResult> &results, const std::string &output, const double wanted)
-{
-  std::string text;
-  for (const Spread &spread : spread_of(results, output, wanted))
-    text += " On " + std::to_string(spread.n_drives) + " others " + spread.variant +
-            " was within it on " +
-            (spread.n_within == 0 ? "none" : std::to_string(spread.n_within)) + ", with " +
-            in_percent(spread.least) + " to " + in_percent(spread.most) + ".";
-  return text;
-}
-
-/// What a user types to calibrate the drive of @p command_line.
-std::string calibration_call(const CommandLine &command_line)
-{
-  std::string text = "chaindrive calibrate " + command_line.parameter_file;
-  for (const std::string &entry : command_line.overrides)
-    text += " --set \"" + entry + "\"";
-  return text;
-}
-
-/// CPU time of the drive of @p command_line as the variant of @p result, s; or why it cannot run.
-std::string cost_here(const StudyResult &result,
-                      const CommandLine &command_line,
-                      const double       before,
-                      const MPI_Comm     comm,
-                      std::ostream      &out)
-{
-  std::vector<std::string> overrides = command_line.overrides;
-  overrides.insert(overrides.end(), result.overrides.begin(), result.overrides.end());
-  try
-    {
-      const parameters::Input input =
-          model::read_parameters(command_line.parameter_file, overrides);
-      const std::vector<std::string> folders = mesh_folders(command_line.parameter_file);
-      Simulation simulation(input.parameters, folders, comm, [&out](const std::string &sentence) {
-        out << sentence << std::endl;
-      });
-      return simulation.is_idle() ?
-                 "" :
-                 "it takes " + to_text(measure_cost(simulation, folders, before).total(), 3) +
-                     " s here";
-    }
-  catch (const InputError &error)
-    {
-      return std::string("here it cannot run: ") + error.what();
-    }
-}
-} // namespace
 
 double StudyResult::bound() const { return std::max(std::abs(low), std::abs(high)); }
 double StudyResult::share() const { return cpu / reference_cpu; }
@@ -143,6 +57,7 @@ Studies read_studies(const std::string &text)
 {
   Studies                                      studies;
   std::vector<StudyResult>                     results;
+  std::map<std::string, Scatter>               scatters; // by study, variant and output
   std::map<std::string, std::set<std::string>> fidelities;
   std::istringstream                           in(text);
   std::string                                  line;
@@ -177,6 +92,12 @@ Studies read_studies(const std::string &text)
                                   0.01 * number(cells[10])});
           continue;
         }
+      if (cells.front() == "scatter" && cells.size() == 7)
+        {
+          scatters[cells[1] + '\t' + cells[2] + '\t' + cells[3]] = {
+              0.01 * number(cells[4]), number(cells[5]), number(cells[6]) - 1.};
+          continue;
+        }
       AssertThrow(cells.size() >= 9, dealii::ExcMessage("accuracy.tsv: " + line));
       StudyResult result;
       result.study         = cells[0];
@@ -194,6 +115,10 @@ Studies read_studies(const std::string &text)
           fidelities[result.study].insert(entry);
       results.push_back(result);
     }
+  for (StudyResult &result : results)
+    if (const auto its = scatters.find(result.study + '\t' + result.variant + '\t' + result.output);
+        its != scatters.end())
+      result.scatter = its->second;
   for (const StudyResult &result : results)
     if (fidelities[result.study].size() > 1)
       studies.results.push_back(result);
@@ -270,43 +195,6 @@ std::pair<std::string, double> read_wanted(const std::string              &text,
                        " %. Known are: " + (all.empty() ? "none" : all) + ".");
     }
   return {name, 0.01 * percent};
-}
-
-std::vector<Spread>
-spread_of(const std::vector<StudyResult> &results, const std::string &output, const double wanted)
-{
-  std::vector<Spread> spreads;
-  for (const char *variant : {"layered", "simple"})
-    {
-      Spread spread{variant};
-      for (const StudyResult &result : results)
-        if (result.variant == variant && result.output == output)
-          {
-            const bool first = spread.n_drives++ == 0;
-            spread.least     = first ? result.error : std::min(spread.least, result.error);
-            spread.most      = first ? result.error : std::max(spread.most, result.error);
-            spread.n_within += std::abs(result.error) <= wanted ? 1 : 0;
-          }
-      if (spread.n_drives > 1)
-        spreads.push_back(spread);
-    }
-  return spreads;
-}
-
-Answer answer(const std::vector<StudyResult> &results, const std::string &output, double wanted)
-{
-  Answer answer;
-  for (const StudyResult &result : results)
-    {
-      if (result.output != output)
-        continue;
-      if (!answer.best || is_better(result, *answer.best))
-        answer.best = result;
-      if (result.bound() <= wanted)
-        answer.found.push_back(result);
-    }
-  std::stable_sort(answer.found.begin(), answer.found.end(), is_cheaper);
-  return answer;
 }
 
 const std::vector<std::string> &calibrated_outputs()
@@ -434,68 +322,4 @@ files::Json to_json(const std::vector<StudyResult> &results)
   return values;
 }
 
-void print_answers(std::ostream                   &out,
-                   const CommandLine              &command_line,
-                   const drive::Facts             &facts,
-                   const std::vector<StudyResult> &calibrated,
-                   const double                    before,
-                   const MPI_Comm                  comm)
-{
-  const Studies                  studies = shipped_studies();
-  const std::vector<std::string> here    = drive_in_words(facts);
-  std::map<std::string, double>  groups;
-  for (const drive::Group &group : drive::groups_of(facts))
-    groups[group.name] = group.value;
-  for (const std::string &text : command_line.accuracy)
-    {
-      const auto [output, wanted] =
-          read_wanted(text, calibrated.empty() ? studies.results : calibrated);
-      std::ostringstream line;
-      line << "Accuracy: " << output << " within " << to_text(100. * wanted) << " %: ";
-      std::vector<StudyResult> results;
-      for (const StudyResult &result : calibrated.empty() ? studies.results : calibrated)
-        if (result.output == output &&
-            (!calibrated.empty() || difference(studies.drives.at(result.study), here).empty()))
-          results.push_back(result);
-      const double      numerics = of_numerics(studies, output);
-      const std::string outside  = results.empty() ? beyond(studies, groups) : "";
-      if (results.empty() && outside.empty())
-        results = predicted(studies, output, groups);
-      for (StudyResult &result : results)
-        result = with_numerics(result, numerics);
-      const auto [found, best] = answer(results, output, wanted);
-      if (!outside.empty() || results.empty())
-        line << "no answer for this drive." << on_others(studies.results, output, wanted)
-             << (outside.empty() ? "" : " Not measured on a drive like this: " + outside + ".")
-             << " This finds one: " << calibration_call(command_line) << '\n';
-      else if (found.empty() && best->study == prediction)
-        {
-          line << "no answer for this drive." << on_others(studies.results, output, wanted);
-          for (const StudyResult &result : results)
-            line << ' ' << in_words(result) << '.';
-          line << " This finds one: " << calibration_call(command_line) << '\n';
-        }
-      else if (found.empty())
-        line << "no model; the best is " << in_words(*best) << "; " << entries_text(*best) << '\n';
-      for (std::size_t i = 0; i < found.size(); ++i)
-        {
-          const StudyResult &result = found[i];
-          const std::string cost = i == 0 ? cost_here(result, command_line, before, comm, out) : "";
-          line << (i == 0 ? "" : "  or ") << in_words(result) << "; "
-               << (cost.empty() ? to_text(100. * result.share(), 3) + " % of the CPU time of " +
-                                      result.reference :
-                                  cost)
-               << "; " << entries_text(result) << '\n';
-        }
-      if (!found.empty() && found.front().study == prediction)
-        line << "  Such intervals hold 90 of 100 drives. This measures yours: "
-             << calibration_call(command_line) << '\n';
-      if (numerics > 0. && !results.empty())
-        line << "  Intervals include " << to_text(100. * numerics, 2)
-             << " % for meshes, modes and step of the reference, as found on the drive of "
-                "prm/paper; "
-                "a run's own window and phase scatter besides: see Output/Until.\n";
-      out << line.str();
-    }
-}
 } // namespace chaindrive

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -50,12 +51,20 @@ std::vector<StudyResult> predicted(const Studies                       &studies,
       result.low       = std::expm1(middle - half);
       result.high      = std::expm1(middle + half);
       result.overrides = entries_of_model(fit.variant);
+      double of_pitch  = 0.; // sum of the squares of deviations in a window of a pitch
       for (const StudyResult &one : studies.results)
         if (one.variant == fit.variant && one.output == output)
           {
             result.cpu += one.cpu;
             result.reference_cpu += one.reference_cpu;
+            if (const Scatter &its = one.scatter; its.deviation > 0. && its.degrees > 0.)
+              {
+                of_pitch += its.degrees * its.deviation * its.deviation * its.pitches;
+                result.scatter.degrees += its.degrees;
+              }
           }
+      if (result.scatter.degrees > 0.)
+        result.scatter.deviation = std::sqrt(of_pitch / result.scatter.degrees);
       results.push_back(result);
     }
   std::stable_sort(results.begin(), results.end(), [](const StudyResult &a, const StudyResult &b) {
@@ -94,6 +103,25 @@ double of_numerics(const Studies &studies, const std::string &output)
           result.low * result.high > 0.)
         square += result.error * result.error;
   return std::sqrt(square);
+}
+
+double of_sampling(const Studies &studies, const std::string &output, const double interval)
+{
+  std::map<double, double> errors = {{0., 0.}}; // by interval
+  const std::string        entry  = "Output/History interval in us=";
+  for (const StudyResult &result : studies.all)
+    if (result.study == "sampling" && result.output == output)
+      for (const std::string &one : result.overrides)
+        if (one.rfind(entry, 0) == 0)
+          errors[1e-6 * std::stod(one.substr(entry.size()))] = std::abs(result.error);
+  const auto after = errors.lower_bound(interval);
+  if (after == errors.end()) // at least so much
+    return errors.size() == 1 ? 0. : errors.rbegin()->second * interval / errors.rbegin()->first;
+  if (after == errors.begin())
+    return after->second;
+  const auto   before = std::prev(after);
+  const double part   = (interval - before->first) / (after->first - before->first);
+  return before->second + part * (after->second - before->second);
 }
 
 StudyResult with_numerics(StudyResult result, const double numerics)

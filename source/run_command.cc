@@ -173,8 +173,14 @@ void answer_first(const CommandLine &command_line, const double before, const MP
   std::string note;
   const auto  calibrated =
       find_calibration(fixed_text(input, drive, mesh_folders(command_line.parameter_file)), note);
-  print_answers(
-      log, command_line, drive::make_facts(input.parameters, drive), calibrated, before, comm);
+  print_answers(log,
+                command_line,
+                input.parameters,
+                drive::make_facts(input.parameters, drive),
+                calibrated,
+                statics::is_estimated(drive.notes),
+                before,
+                comm);
   log << std::flush;
 }
 

@@ -4,10 +4,12 @@
 #include <chaindrive/command_line.h>
 #include <chaindrive/drive/facts.h>
 #include <chaindrive/files/json.h>
+#include <chaindrive/parameters/parameters.h>
 
 #include <mpi.h>
 
 #include <iosfwd>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,6 +18,20 @@
 
 namespace chaindrive
 {
+/// By how much single runs differ that start in different phases: the standard deviation of an
+/// output between them over its mean.
+struct Scatter
+{
+  double deviation = std::numeric_limits<double>::quiet_NaN(); ///< 1; not a number: not known
+  double pitches   = 1.; ///< length of the windows of these runs
+  double degrees   = 0.; ///< of freedom, with which the deviation is known
+
+  /// Half of the 95 % interval in which a run with a window of @p window pitches lies about the
+  /// mean of many, over that mean: Student's t times the deviation, which falls with the root of
+  /// the window. 1; zero where the deviation is not known
+  double half(double window) const;
+};
+
 /// What a study found of one output of one variant.
 struct StudyResult
 {
@@ -23,6 +39,7 @@ struct StudyResult
   double      error = 0., low = 0., high = 0.; ///< against the reference, with its interval; 1
   double      cpu = 0., reference_cpu = 0.;    ///< of a run of the study, s
   std::vector<std::string> overrides;          ///< "Section/Entry=value": what the variant is
+  Scatter                  scatter;            ///< of single runs of the variant
 
   /// How wrong the variant may be: the farther end of the interval. 1
   double bound() const;
@@ -58,6 +75,21 @@ struct Studies
   std::vector<StudyResult> all;
 };
 
+/// What a plan's answer depends on of the run that is planned.
+struct RunAtHand
+{
+  double pitches  = 1.; ///< length of its window
+  double duration = 1.; ///< pitch times from its start to its end
+  double sampling = 0.; ///< interval of its histories, s
+  /// What Output/Until asks for, by output: half of the 95 % interval, 1. The run goes on until
+  /// that is reached, so that its window is no matter.
+  std::map<std::string, double> until;
+};
+
+/// That of @p parameters. A window that waits for the drive of @p facts to settle has its least
+/// length, and so has one that ends when outputs are known.
+RunAtHand run_at_hand(const Parameters &parameters, const drive::Facts &facts);
+
 /// source/accuracy.tsv, which scripts/study/accuracy.py writes from studies.
 Studies shipped_studies();
 
@@ -83,6 +115,9 @@ std::vector<StudyResult> results_of(const std::vector<StudyResult> &results,
                                     bool                            exact,
                                     bool                            oval);
 
+/// Two digits, or all before the point, with sign: "+2.3 %". From @p value [1].
+std::string in_percent(double value);
+
 /// These in a sentence, and as member `accuracy` of summary.json.
 std::string accuracy_sentence(const std::vector<StudyResult> &results);
 files::Json to_json(const std::vector<StudyResult> &results);
@@ -100,17 +135,40 @@ std::string difference(const std::vector<std::string> &studied,
 std::pair<std::string, double> read_wanted(const std::string              &text,
                                            const std::vector<StudyResult> &results);
 
+/// A model of which a plan speaks, and what errors come together in a run of it.
+struct Candidate
+{
+  StudyResult model;    ///< the error of the model with its interval, 1
+  double      run = 0.; ///< half interval of the window and start phase of the run, over the truth
+  StudyResult together; ///< the error with the interval of all
+  /// Window with which the interval of all lies within what is wanted, in pitches: that of the run
+  /// where this suffices, infinite where none does.
+  double pitches = std::numeric_limits<double>::infinity();
+  double cost    = 0.; ///< of the run with that window, over that of the reference as it is
+
+  bool suffices() const { return pitches < std::numeric_limits<double>::infinity(); }
+};
+
+/// How wide the half interval of a run of the model of @p candidate may be, over its own mean, so
+/// that the interval of all lies within @p wanted [1]. 1; zero: no run suffices
+double room_for_run(const Candidate &candidate, double wanted);
+
 /// What studies answer.
 struct Answer
 {
-  /// The variants that are accurate enough, the cheapest first; the reference counts, with the
-  /// interval of its own mean.
-  std::vector<StudyResult>   found;
-  std::optional<StudyResult> best; ///< the most accurate one
+  std::vector<Candidate> all;   ///< the models that were judged, in the order of their cost
+  std::vector<Candidate> found; ///< those that are accurate enough, the cheapest first
+  /// The one whose model is the most accurate, whatever the window.
+  std::optional<Candidate> best;
 };
 
-/// Which variants give @p output within @p wanted [1].
-Answer answer(const std::vector<StudyResult> &results, const std::string &output, double wanted);
+/// Which variants of @p results give @p output within @p wanted [1] in the run @p here or in one
+/// with a longer window of up to 10000 pitches. The reference counts as a model without error where
+/// the scatter of its runs is known, else with the interval of its own mean.
+Answer answer(const std::vector<StudyResult> &results,
+              const std::string              &output,
+              double                          wanted,
+              const RunAtHand                &here);
 
 /// How a rigid model did on all drives that studies ran.
 struct Spread
@@ -141,18 +199,27 @@ std::string beyond(const Studies &studies, const std::map<std::string, double> &
 /// paper's drive; those whose interval contains zero were not. 1
 double of_numerics(const Studies &studies, const std::string &output);
 
+/// By how much samples of histories @p interval [s] apart change @p output, as study `sampling`
+/// found on the paper's drive: its errors over the interval, without sign, on straight lines from
+/// zero on, and beyond the longest in proportion. 1; zero where that study does not judge it
+double of_sampling(const Studies &studies, const std::string &output, double interval);
+
 /// @p result with @p numerics [1] in its interval: errors that know nothing of each other add by
 /// squares.
 StudyResult with_numerics(StudyResult result, double numerics);
 
 /// Says for each `--accuracy` of @p command_line what @p calibrated answers, or, if that is empty,
-/// what the studies answer if they ran the drive of @p facts; and what the cheapest variant costs
-/// here, by measure_cost() with @p before; otherwise that there is no answer. InputError as
-/// read_wanted(). Collective.
+/// what the studies answer if they ran the drive of @p facts, or what they let expect: in the first
+/// line the cheapest settings, their error with the interval of all that is known, and their cost
+/// here, by measure_cost() with @p before, as drawn from a rigid model; then a table of the models.
+/// Where @p estimated, the parts have not been solved yet: they are not for this answer, and their
+/// stiffnesses are those of dimensions. InputError as read_wanted(). Collective.
 void print_answers(std::ostream                   &out,
                    const CommandLine              &command_line,
+                   const Parameters               &parameters,
                    const drive::Facts             &facts,
                    const std::vector<StudyResult> &calibrated,
+                   bool                            estimated,
                    double                          before,
                    MPI_Comm                        comm);
 } // namespace chaindrive

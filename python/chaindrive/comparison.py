@@ -108,6 +108,20 @@ def _signal(run: Run, signal: str) -> Array:
     return np.hypot(run[f"hubs/{signal}_x"], run[f"hubs/{signal}_y"])
 
 
+def uncertainty(run: Run, name: str) -> float:
+    """Half of the 95 % interval of the figure of this name, in its unit; nan where that is not known, as of one largest value.
+
+    As the summary has it; else, as of runs of earlier versions, from the values per tooth period or engagement that the run kept.
+    """
+    if name in WHOLE_RUN or name == "noise" or name.endswith("_largest"):
+        return np.nan
+    written = _written_uncertainty(run, name)
+    if written is not None:
+        return written
+    found = certainty.sequence(lambda: means(run, name))
+    return np.nan if found is None else certainty.uncertainty_of_mean(found.values, found.least)
+
+
 def certainty_of_difference(one: Run, other: Run, name: str) -> certainty.Certainty:
     """Of the difference of a figure of two runs: half of its 95 % interval in the unit of the figure, and words.
 
@@ -131,8 +145,14 @@ def _written_uncertainty(run: Run, name: str) -> float | None:
     wheel, column, which = _of_impacts(run, name)
     signal, _, kind = name.rpartition("_")
     try:
-        one = run.summary["impacts"][wheel][column] if column else run.summary["statistics"][signal]
-        value = one["uncertainty"]
+        if name in ("efficiency", "pitch_time_mean"):
+            value, kind = run.summary[name.removesuffix("_mean") + "_uncertainty"], "mean"
+        elif name == "loss":
+            energy, kind = run.summary["window_energy"], "mean"
+            value = energy["lost_uncertainty"] and energy["lost_uncertainty"] / energy["duration"]
+        else:
+            one = run.summary["impacts"][wheel][column] if column else run.summary["statistics"][signal]
+            value = one["uncertainty"]
     except (KeyError, TypeError):
         return None
     return None if "mean" not in (which, kind) else float(value) if isinstance(value, numbers.Real) else np.nan
@@ -141,7 +161,8 @@ def _written_uncertainty(run: Run, name: str) -> float | None:
 def compare(runs: Sequence[Run]) -> pd.DataFrame:
     """The figures of several runs side by side, with their differences and how certain these are.
 
-    A frame with a row per figure and columns `meaning`, `unit`, one for each run (its folder), and for each but
+    A frame with a row per figure and columns `meaning`, `unit`, one for each run (its folder) and `... uncertainty`, half of its 95 %
+    interval or nan where that is not known, and for each but
     the first `... difference` from the first one, `... difference in %`, `... difference uncertainty`, half of the 95 % interval of
     the difference or nan where that is not known, and `... certainty`, how it was found or why it is not known.
     """
@@ -149,8 +170,9 @@ def compare(runs: Sequence[Run]) -> pd.DataFrame:
     rows = list(dict.fromkeys(name for one in found for name in one))
     about = {name: next(one[name] for one in found if name in one) for name in rows}
     frame = pd.DataFrame({"meaning": [about[n][2] for n in rows], "unit": [about[n][1] for n in rows]}, index=pd.Index(rows, name="figure"))
-    for column, one in zip(columns, found):
+    for column, one, run in zip(columns, found, runs):
         frame[column] = [one[name][0] if name in one else np.nan for name in rows]
+        frame[f"{column} uncertainty"] = [uncertainty(run, name) if name in one else np.nan for name in rows]
     for column, run in zip(columns[1:], runs[1:]):
         frame[f"{column} difference"] = frame[column] - frame[columns[0]]
         frame[f"{column} difference in %"] = 100. * (frame[column] / frame[columns[0]].where(frame[columns[0]] != 0.) - 1.)

@@ -21,6 +21,9 @@ import pathlib
 import re
 import sys
 
+import h5py
+import numpy as np
+
 import chaindrive
 
 HEAD = """# SPDX-License-Identifier: LGPL-2.1-or-later
@@ -28,6 +31,7 @@ HEAD = """# SPDX-License-Identifier: LGPL-2.1-or-later
 # study, variant, reference, output, error, low, high (percent), CPU time, that of the reference (s), entries of the variant;
 # "drive", study, what its errors hold for
 # "groups", study, numbers by which drives are alike
+# "scatter", study, variant, output, standard deviation of runs from different phases (percent), pitches of their window, runs
 # "fit", model, output, group or -, drives, centre, slope, mean and sum of squares of the group's logarithm, factor, coverage:
 # of scripts/study/accuracy_fit.py --write"""
 
@@ -76,6 +80,25 @@ def rows_of(directory, name=""):
                    *(f"{path}={value}" for path, value in entries.items() if not path.startswith("Study/"))]
 
 
+def scatters_of(directory, name=""):
+    """Rows that say by how much the runs of a variant differ from phase to phase, which is what a single run cannot know. None of a
+    study of one model."""
+    about = json.loads((directory / "study.json").read_text())
+    if len({fidelity(directory / variant["runs"][0]["folder"]) for variant in about["variants"]}) == 1:
+        return
+    study = name or pathlib.Path(about["file"]).stem
+    for variant in about["variants"]:
+        with h5py.File(directory / "table.h5", "r") as file:
+            phases = {output: values[:] for output, values in file["by_phase/" + variant["name"]].items() if output not in ("phase", "cpu")}
+        for output, values in phases.items():
+            values = values[np.isfinite(values)]
+            if output.endswith(" Hz") or len(values) < 2 or values.mean() == 0.:
+                continue
+            one = chaindrive.open(directory / variant["runs"][0]["folder"])
+            yield ["scatter", study, variant["name"], output, f"{100 * values.std(ddof=1) / abs(values.mean()):.4g}",
+                   f"{(one.end - one.start) / one.drive['pitch_time']:.4g}", str(len(values))]
+
+
 def percent(text):
     """Two digits, or all before the point."""
     value = float(text)
@@ -86,13 +109,13 @@ def keep(directory):
     """The file appears complete or not at all: plans and runs may read it now."""
     file = pathlib.Path(json.loads((directory / "study.json").read_text())["calibration"])
     file.parent.mkdir(parents=True, exist_ok=True)
-    rows = list(rows_of(directory, "calibration"))
+    rows = [*rows_of(directory, "calibration"), *scatters_of(directory, "calibration")]
     part = file.with_suffix(f".part{os.getpid()}")
     part.write_text("\n".join([HEAD, *("\t".join(row) for row in rows), END + file.stem]) + "\n")
     part.replace(file)
     print(f"Errors of the models on this drive, with 95 % intervals, and CPU time of a run; kept in {file}")
     found = {}
-    for _, variant, reference, output, error, low, high, cpu, *_ in rows[2:]:
+    for _, variant, reference, output, error, low, high, cpu, *_ in (row for row in rows[2:] if row[0] != "scatter"):
         if variant != reference:
             found.setdefault((variant, cpu), []).append(f"  {output:26}{percent(error):>8} %  ({percent(low)} ... {percent(high)})")
     for (variant, cpu), lines in found.items():
@@ -188,7 +211,7 @@ def main():
         sys.exit(__doc__)
     print(HEAD)
     for directory in map(pathlib.Path, sys.argv[1:]):
-        for row in rows_of(directory):
+        for row in (*rows_of(directory), *scatters_of(directory)):
             print("\t".join(row))
 
 

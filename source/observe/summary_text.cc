@@ -130,9 +130,13 @@ void print_impacts(std::ostream &out, const files::Json &impacts)
       number(out, found["peak_force"]["largest"], 1., 4, 0);
       out << "), impulse ";
       number(out, found["impulse"]["mean"], 1., 3, 0);
-      out << " N s, normal speed ";
+      out << " N s (+- ";
+      number(out, found["impulse"]["uncertainty"], 1., 2, 0);
+      out << "), normal speed ";
       number(out, found["normal_speed"]["mean"], 1., 3, 0);
-      out << " m/s\n";
+      out << " m/s (+- ";
+      number(out, found["normal_speed"]["uncertainty"], 1., 2, 0);
+      out << ")\n";
     }
 }
 
@@ -143,18 +147,24 @@ void print_losses(std::ostream &out, const files::Json &summary)
     return; // nothing fell into the window
   out << "  lost ";
   number(out, energy["lost"], 1., 4, 0);
-  out << " J of ";
+  out << " J (95 % +- ";
+  number(out, energy["lost_uncertainty"], 1., 2, 0);
+  out << ") of ";
   number(out, energy["drive_work"], 1., 4, 0);
   out << " J, and ";
   number(out, energy["stored"], 1., 3, 0);
   out << " J added to what is stored; efficiency ";
   number(out, summary["efficiency"], 1., 5, 0);
-  out << '\n';
+  out << " (95 % +- ";
+  number(out, summary["efficiency_uncertainty"], 1., 2, 0);
+  out << ")\n";
   for (const auto &[name, loss] : summary["losses"].items())
     {
       out << "  " << std::left << std::setw(34) << "loss in " + name << std::right;
       number(out, loss["power"]);
-      out << " W\n";
+      out << " W (95 % +- ";
+      number(out, loss["uncertainty"], 1., 2, 0);
+      out << ")\n";
     }
 }
 } // namespace
@@ -181,7 +191,14 @@ void print_summary(std::ostream &out, const files::Json &summary)
                 "\n");
   else
     out << "No means: the drive has not settled\n";
-  line("pitch time", "pitch_time_mean", "ms", 1e3);
+  if (summary.contains("pitch_time_mean"))
+    {
+      out << "  " << std::left << std::setw(34) << "pitch time" << std::right;
+      number(out, summary["pitch_time_mean"], 1e3);
+      out << " ms (95 % +- ";
+      number(out, summary["pitch_time_uncertainty"], 1e3, 2, 0);
+      out << ")\n";
+    }
   if (summary.contains("statistics"))
     {
       print_statistics(out, summary["statistics"]);

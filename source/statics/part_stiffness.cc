@@ -6,12 +6,16 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace chaindrive::statics
 {
 namespace
 {
+constexpr const char *until_solved =
+    "Stiffnesses are estimated from dimensions until the parts are solved.";
+
 /// A stiffness rounded to five digits, the same for any number of ranks.
 double rounded(const double stiffness) { return std::stod(to_text(stiffness, 5)); }
 
@@ -161,6 +165,11 @@ drive::StiffnessOf part_stiffness(const std::optional<model::PartStiffnesses> &w
   };
 }
 
+bool is_estimated(const std::vector<std::string> &notes)
+{
+  return std::find(notes.begin(), notes.end(), until_solved) != notes.end();
+}
+
 drive::StiffnessOf quick_part_stiffness(const std::optional<model::PartStiffnesses> &wanted,
                                         const Material                              &steel)
 {
@@ -179,7 +188,7 @@ drive::StiffnessOf quick_part_stiffness(const std::optional<model::PartStiffness
     catch (const NotKept &)
       {
         drive::PartStiffness estimate = drive::estimated_stiffness(drive.chain, load, steel);
-        estimate.notes = {"Stiffnesses are estimated from dimensions until the parts are solved."};
+        estimate.notes                = {until_solved};
         return estimate;
       }
   };

@@ -35,6 +35,37 @@ def test_what_the_program_says(runs):
     impacts = comparison.means(plain, "driver_peak_force_mean")
     assert certainty.uncertainty_of_mean(impacts.values, impacts.least) == pytest.approx(
         plain.summary["impacts"]["driver"]["peak_force"]["uncertainty"], rel=1e-9, abs=0)
+    times = comparison.means(plain, "pitch_time_mean")
+    assert certainty.uncertainty_of_mean(times.values, times.least) == pytest.approx(plain.summary["pitch_time_uncertainty"], rel=1e-9, abs=0)
+
+
+def test_what_the_program_says_of_losses(runs):
+    # of two kinds, of all, and of the efficiency, the ratio of what comes out to that and what is lost (Cochran)
+    for run in runs:
+        loss = comparison.means(run, "loss")
+        edges = run.start + run.pitch_time * np.arange(len(loss.values) + 1)
+
+        def rates(*names, run=run, edges=edges):
+            return np.diff(sum(np.interp(edges, run.time, run[f"energy/{name}"]) for name in names)) / run.pitch_time
+
+        out, lost, energy = rates("resisting_work"), loss.values, run.summary["window_energy"]
+        off = out - run.summary["efficiency"] * (out + lost)
+        teeth = sum(run.summary["losses"][f"roller-{wheel}"]["uncertainty"] ** 2 for wheel in ("driver", "driven")) ** 0.5
+        for written, expected in ((run.summary["losses"]["chain damping"]["uncertainty"], rates("chain_damping_loss")),
+                                  (energy["lost_uncertainty"] / energy["duration"], lost),
+                                  (run.summary["efficiency_uncertainty"], off / (out + lost).mean())):
+            assert certainty.uncertainty_of_mean(expected, loss.least) == pytest.approx(written, rel=0.1, abs=0)
+        assert comparison.uncertainty(run, "loss") < 3 * (teeth + run.summary["losses"]["chain damping"]["uncertainty"])
+
+
+def test_every_mean_has_its_interval(runs):
+    table = chaindrive.compare(runs)
+    known = {name for name in table.index if math.isfinite(table.loc[name, "plain uncertainty"])}
+    assert {"driven_speed_mean", "driver_torque_mean", "tight_tension_mean", "slack_tension_mean", "span_speed_mean", "pitch_time_mean",
+            "efficiency", "loss", "driver_load_mean", "driver_peak_force_mean", "driver_impulse_mean", "driver_normal_speed_mean",
+            "driven_speed_deviation"} <= known, set(table.index) - known
+    assert table.loc["efficiency", "plain uncertainty"] == runs[0].summary["efficiency_uncertainty"]
+    assert not known & {"driven_angle_end", "tight_tension_largest", "cpu_seconds"}
 
 
 def test_losses(runs):

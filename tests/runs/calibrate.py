@@ -4,8 +4,10 @@ drive, whatever its model and start, for no other, and not when its file is dama
 
 Without Snakemake, h5py, matplotlib or pandas it ends with 77: left out."""
 import json
+import math
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -41,7 +43,39 @@ def mean_peak(variant):
               for run in peaks]
     check(sum(map(len, chosen)) >= 20, f"{variant}: {sum(map(len, chosen))} engagements in all")
     means = [sum(run) / len(run) for run in chosen]
-    return sum(means) / len(means)
+    mean = sum(means) / len(means)
+    return mean, math.sqrt(sum((one - mean) ** 2 for one in means) / 3) / mean
+
+
+def composed(text, rows):
+    """A run is one of those that the calibration has had from four phases, with a window of its own: its interval is in the table of a
+    plan, and with the window that the plan asks for it is no wider than what was wanted."""
+    scatters = {(row[2], row[3]): row for row in (line.split("\t") for line in text.splitlines()) if row[0] == "scatter"}
+    _, _, _, _, deviation, pitches, runs = scatters["layered", "driver_peak_mean"]
+    check(abs(float(deviation) / (100 * mean_peak("layered")[1]) - 1) < 1e-3 and runs == "4", f"{deviation} of {runs} runs: {mean_peak('layered')}")
+    about = json.loads(next((FOLDER / "layered").glob("phase-*/summary.json")).read_text())
+    pitch_time, window = about["drive"]["pitch_time"], about["window"]
+    check(abs(float(pitches) / ((window["end"] - window["start"]) / pitch_time) - 1) < 1e-3, f"{pitches} pitches: {window}")
+
+    error = 0.01 * float(rows["layered", "driver_peak_mean"][4])
+    for end in (3, 9):
+        _, done = first_line({"Time/End time in ms": end})
+        row = next(line for line in done.stdout.splitlines() if line.startswith("  layered "))
+        half = float(re.search(r"\+-([0-9.]+) %", row)[1])
+        expected = (1 + error) * 3.18245 * float(deviation) * math.sqrt(float(pitches) * pitch_time / (1e-3 * (end - 1)))
+        check(abs(half / expected - 1) < 0.06, f"a run that ends at {end} ms: {half} instead of {expected}: {row}")
+
+    wanted = f"driver_peak_mean={min(100., 2. + max(abs(float(rows['layered', 'driver_peak_mean'][place])) for place in (5, 6)) + 5.):.3g}"
+    for fidelity in ("simple", "layered"):
+        line, done = first_line({"Model/Fidelity": fidelity, "Time/End time in ms": 1.3}, wanted)
+        if "Time/End time in ms=" not in line:
+            continue
+        end = re.search(r"Time/End time in ms=([0-9.]+)", line)[1]
+        check(float(end) > 1.3 and "yes, with a window of " in done.stdout, line)
+        longer, done = first_line({"Model/Fidelity": fidelity, "Time/End time in ms": end}, wanted)
+        check("Time/End time" not in longer and longer.split(",")[0] == line.split(",")[0], f"{line}, but then {longer}")
+        return
+    check(False, f"no window is too short for {wanted}: {line}")
 
 
 def refused(words, *said, changes=None):
@@ -68,8 +102,9 @@ def main():
     check(len(files) == 1 and str(files[0]) in done.stdout, f"{files}")
     rows = {(row[1], row[3]): row for row in (line.split("\t") for line in files[0].read_text().splitlines()) if len(row) > 9}
     for variant in ("simple", "layered", "oval"):
-        error, expected = float(rows[variant, "driver_peak_mean"][4]), 100 * (mean_peak(variant) / mean_peak("exact") - 1)
+        error, expected = float(rows[variant, "driver_peak_mean"][4]), 100 * (mean_peak(variant)[0] / mean_peak("exact")[0] - 1)
         check(abs(error - expected) < 1e-3 * abs(expected) + 1e-3, f"{variant}: {error} instead of {expected}")
+    composed(files[0].read_text(), rows)
 
     # the same drive: another model, another start; nothing is computed again
     simple, layered, oval = (rows[variant, "driver_peak_mean"] for variant in ("simple", "layered", "oval"))

@@ -6,6 +6,8 @@
 #include <chaindrive/statics/library.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace chaindrive::statics
 {
@@ -21,6 +23,9 @@ drive::StiffnessOf part_stiffness(const std::optional<model::PartStiffnesses> &w
 /// says. Not collective.
 drive::StiffnessOf quick_part_stiffness(const std::optional<model::PartStiffnesses> &wanted,
                                         const Material                              &steel);
+
+/// Whether one of the @p notes of a drive says that quick_part_stiffness() has estimated.
+bool is_estimated(const std::vector<std::string> &notes);
 
 /// The contact of @p make (number of patches about the line of pressure) under @p force [N]: with
 /// as many patches as it needs.

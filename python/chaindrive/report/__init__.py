@@ -7,9 +7,11 @@ import pathlib
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, TypeVar
 
+import numpy as np
+
 from chaindrive import comparison
 from chaindrive.report import curves, facts, motion
-from chaindrive.report.answers import answers
+from chaindrive.report.answers import Answer, answers
 from chaindrive.report.page import Page, Part
 from chaindrive.errors import RunError
 from chaindrive.report.foreign import ForeignRun, plain
@@ -88,11 +90,20 @@ def _each(subjects: Sequence[Subject], make: Callable[[ForeignRun], str], headin
     return out + sentences(missing, "missing")
 
 
+def _figure(value: float, unit: str, digits: int) -> str:
+    return quantity(value, unit, digits) if unit not in ("%", "dB(A)") else f"{number(value, min(digits, 3))}\u00a0{unit}"
+
+
+def _around(answer: Answer) -> str:
+    """Half of the 95 % interval of a key figure; nothing where that is not known."""
+    return f'<span class="around"> ± {_figure(answer.half, answer.unit, 2)}</span>' if np.isfinite(answer.half) else ""
+
+
 def _cards(run: Run) -> str:
     found, invalid = answers(run), run.window_is_valid is False
     cards = "".join(f'<div class="card{" warning" if a.warns or invalid and a.of_window else ""}"><div class="name">{escape(a.name)}'
                     f'{facts.INVALID if invalid and a.of_window else ""}</div><div class="value">'
-                    f'{quantity(a.value, a.unit) if a.unit not in ("%", "dB(A)") else number(a.value, 3) + chr(160) + a.unit}</div><p>{a.sentence}</p></div>'
+                    f'{_figure(a.value, a.unit, 4)}{_around(a)}</div><p>{a.sentence}</p></div>'
                     for a in found)
     return f'<div class="cards">{cards}</div>' if cards else sentences(["There are no key figures: the run has no summary, or was asked for none."])
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from chaindrive.comparison import uncertainty
 from chaindrive.drive import Block, Wheel, span_title
 from chaindrive.errors import RunError
 from chaindrive.report.text import number, percent, quantity
@@ -24,12 +25,13 @@ class Answer:
     """A figure: its name, value in SI units and what it means (HTML).
 
     `warns`: it is not as it should be. `of_window`: it is found in the window of the means, and no better
-    than that.
+    than that. `half`: half of its 95 % interval, in its unit; nan where that is not known.
     """
 
     def __init__(self, name: str, value: float, unit: str, sentence: str, warns: bool = False,
-                 of_window: bool = True) -> None:
+                 of_window: bool = True, half: float = np.nan) -> None:
         self.name, self.value, self.unit, self.sentence, self.warns, self.of_window = name, value, unit, sentence, warns, of_window
+        self.half = half
 
 
 def statistic(run: Run, name: str, which: str) -> Any:
@@ -102,22 +104,22 @@ def tension(run: Run) -> Answer:
         text += f" At most {quantity(most, 'N')} in the window." if most else ""
     else:
         text = _against(mean, expected, "N", "that power and speed ask for") + (f"; at most {quantity(most, 'N')} in the window." if most else ".")
-    return Answer("Tension of the tight span", mean, "N", text + safety, warns)
+    return Answer("Tension of the tight span", mean, "N", text + safety, warns, half=uncertainty(run, "tight_tension_mean"))
 
 
 def slack(run: Run) -> Answer:
     """Tension of the slack span, and what it comes from."""
     mean = run.summary["slack_tension_mean"]
-    tight, alone = run.summary["tight_tension_mean"], foreseen(run, "slack")
+    tight, alone, half = run.summary["tight_tension_mean"], foreseen(run, "slack"), uncertainty(run, "slack_tension_mean")
     if turned(run):
         return Answer("Tension of the slack span", mean, "N", f"More than the {quantity(tight, 'N')} of the tight span: the spans have changed their "
-                      "parts, as when the load drives. Slack, weight and speed alone would give " + quantity(alone, "N") + ".")
+                      "parts, as when the load drives. Slack, weight and speed alone would give " + quantity(alone, "N") + ".", half=half)
     text = f"{number(100 * mean / tight, 2)}\u00a0% of that of the tight span. "
     if abs(mean - alone) <= max(0.1 * run.drive["effective_tension"], 0.1 * alone):
         text += "It comes from slack, weight and speed, not from the load, and adds to what shafts and joints carry."
     else:
         text += f"Slack, weight and speed alone would give {quantity(alone, 'N')}: the rest comes from a start, a load that changes or swinging."
-    return Answer("Tension of the slack span", mean, "N", text)
+    return Answer("Tension of the slack span", mean, "N", text, half=half)
 
 
 def shaft_loads(drive: Block) -> list[Any]:
@@ -140,7 +142,7 @@ def shaft(run: Run) -> Answer:
         return Answer(name, expected, "N", f"Resultant of the mean tensions of {spans}, from the closed form; "
                       "the centrifugal tension does not load shafts.", of_window=False)
     return Answer("Load of the driver's shaft", mean, "N", f"{_against(mean, expected, 'N', 'of the closed form')}; at most "
-                  f"{quantity(most, 'N')}. Bearings are chosen by it.")
+                  f"{quantity(most, 'N')}. Bearings are chosen by it.", half=uncertainty(run, "driver_load_mean"))
 
 
 def impact(run: Run) -> Answer:
@@ -149,7 +151,7 @@ def impact(run: Run) -> Answer:
     peak, speed = touches["peak_force"].astype(float), touches["normal_speed"].astype(float)
     return Answer("Impact on the driver", peak.mean(), "N", f"Mean peak force of {len(peak)} rollers that seat, the largest "
                   f"{quantity(peak.max(), 'N')}, with {quantity(speed.mean(), 'm/s', 3)} normal to the tooth. It grows with speed and pitch, and "
-                  "with the root of the stiffness of the teeth.")
+                  "with the root of the stiffness of the teeth.", half=uncertainty(run, "driver_peak_force_mean"))
 
 
 def variation(run: Run) -> Answer | None:
@@ -157,15 +159,18 @@ def variation(run: Run) -> Answer | None:
     peak = run.engagements("driver", window=True)["peak_force"].astype(float)
     if len(peak) < 3:
         return None
-    return Answer("Difference from roller to roller", 100. * peak.std(ddof=1) / peak.mean(), "%", "Standard deviation of these peaks over their "
-                  f"mean: the weakest of {len(peak)} has {quantity(peak.min(), 'N')}, the strongest {quantity(peak.max(), 'N')}.")
+    share = peak.std(ddof=1) / peak.mean()
+    # of a coefficient of variation of independent normal values (Miller, Communications in Statistics 20, 1991, 3351)
+    half = 1.96 * share * np.sqrt((0.5 + share ** 2) / (len(peak) - 1))
+    return Answer("Difference from roller to roller", 100. * share, "%", "Standard deviation of these peaks over their "
+                  f"mean: the weakest of {len(peak)} has {quantity(peak.min(), 'N')}, the strongest {quantity(peak.max(), 'N')}.", half=100. * half)
 
 
 def other_impact(run: Run, wheel: Wheel) -> Answer:
     """Peak forces of rollers that seat on a sprocket which is not the driver."""
     peak = run.engagements(wheel.name, window=True)["peak_force"].astype(float)
     return Answer(f"Impact on the {wheel.title}", peak.mean(), "N", f"Mean peak force of {len(peak)} rollers, the largest "
-                  f"{quantity(peak.max(), 'N')}.")
+                  f"{quantity(peak.max(), 'N')}.", half=uncertainty(run, f"{wheel.name}_peak_force_mean"))
 
 
 def ripple(run: Run) -> Answer:
@@ -174,9 +179,10 @@ def ripple(run: Run) -> Answer:
     deviation = statistic(run, "driven_speed", "deviation")
     deviation = float(np.std(in_window(run, "hubs/driven_speed"))) if deviation is None else deviation
     polygon = run.drive["sprockets"][0]["polygon_effect"]
+    half = 100. * uncertainty(run, "driven_speed_deviation") / abs(mean)
     return Answer("Ripple of the driven speed", 100. * deviation / mean, "%", f"Standard deviation over the mean of {quantity(mean, 'rad/s')}. "
                   f"The polygon of the driver makes the chain's speed vary by {number(100 * polygon, 3)}\u00a0% from crest to crest; the inertia on "
-                  "the spans passes on more or less of it.")
+                  "the spans passes on more or less of it.", half=half)
 
 
 def losses(run: Run) -> Answer | None:
@@ -202,8 +208,9 @@ def losses(run: Run) -> Answer | None:
     share = power / run.drive["power"]
     text = f"{number(100 * share, 2)}\u00a0% of the drive's {quantity(run.drive['power'], 'W')}{where}."
     if efficiency is not None:
-        text += f" Efficiency in the window: {number(100 * efficiency, 4)}\u00a0%."
-    return Answer("Loss", power, "W", text)
+        around = uncertainty(run, "efficiency")
+        text += f" Efficiency in the window: {number(100 * efficiency, 4)}" + (f" ± {number(100 * around, 2)}" if np.isfinite(around) else "") + "\u00a0%."
+    return Answer("Loss", power, "W", text, half=uncertainty(run, "loss"))
 
 
 def wear(run: Run) -> Answer:

@@ -233,6 +233,11 @@ TITLES = {path.split("/")[1]: one["description"].removesuffix(", mean") for path
           if path.startswith("statistics/") and path.endswith("/mean")}
 
 
+def around(half: float | None, unit: str) -> str:
+    """Half of the 95 % interval of a mean; a dash where it is not known."""
+    return f"± {quantity(half, unit, 2)}" if half is not None and np.isfinite(half) else "± –"
+
+
 def statistics_tables(run: Run) -> str:
     """Window statistics, impacts and losses. RunError where the summary has none of them."""
     summary, out = run.summary, ""
@@ -240,11 +245,12 @@ def statistics_tables(run: Run) -> str:
     for name, one in summary.get("statistics", {}).items():
         if isinstance(one, dict) and "mean" in one:
             unit = one.get("unit", "1")
-            rows.append((escape(TITLES.get(name, name.replace("_", " "))), *(quantity(one.get(which), unit) for which in ("mean", "deviation", "least", "largest")),
+            rows.append((escape(TITLES.get(name, name.replace("_", " "))), quantity(one["mean"], unit), around(one.get("uncertainty"), unit),
+                         *(quantity(one.get(which), unit) for which in ("deviation", "least", "largest")),
                          *(quantity(value, unit, 3) for value in (one.get("harmonics") or [None] * 4)[:4])))
     if rows:
-        out += table(["", "mean", "deviation", "least", "largest", "1st", "2nd", "3rd", "4th harmonic"], rows,
-                     "In the window; harmonics of the tooth frequency are amplitudes")
+        out += table(["", "mean", "95 %", "deviation", "least", "largest", "1st", "2nd", "3rd", "4th harmonic"], rows,
+                     "In the window; 95 %: half of the interval of the mean; harmonics of the tooth frequency are amplitudes")
     settled = summary.get("statistics", {}).get("settled")
     if settled is not None:
         out += sentences(["The drive had settled at the end of the window." if settled else
@@ -252,17 +258,17 @@ def statistics_tables(run: Run) -> str:
                          "fine" if settled else "note")
     rows = []
     for sprocket, one in summary.get("impacts", {}).items():
-        rows.append((escape(sprocket), number(one["number"]), *(f"{quantity(one[name]['mean'], unit)} ± {quantity(one[name]['deviation'], unit, 2)},<br>at most "
-                     f"{quantity(one[name]['largest'], unit)}" for name, unit in (("peak_force", "N"), ("impulse", "N s"), ("normal_speed", "m/s")))))
+        rows.append((escape(sprocket), number(one["number"]), *(f"{quantity(one[name]['mean'], unit)} {around(one[name].get('uncertainty'), unit)},"
+                     f"<br>deviation {quantity(one[name]['deviation'], unit, 2)},<br>at most {quantity(one[name]['largest'], unit)}" for name, unit in (("peak_force", "N"), ("impulse", "N s"), ("normal_speed", "m/s")))))
     if rows:
-        out += table(["impacts on", "number", "peak force", "impulse", "normal speed"], rows)
-    rows = [(escape(name), quantity(one.get("power"), "W", 3), quantity(one.get("friction"), "J", 3) if "friction" in one else "–",
+        out += table(["impacts on", "number", "peak force", "impulse", "normal speed"], rows, "Means with half of their 95 % intervals")
+    rows = [(escape(name), quantity(one.get("power"), "W", 3), around(one.get("uncertainty"), "W"), quantity(one.get("friction"), "J", 3) if "friction" in one else "–",
              quantity(one.get("damping"), "J", 3) if "damping" in one else "–") for name, one in summary.get("losses", {}).items()]
     if rows:
         energy = summary.get("window_energy", {})
-        out += table(["loss in", "mean power", "by friction", "by damping"], rows)
+        out += table(["loss in", "mean power", "95 %", "by friction", "by damping"], rows)
         out += sentences([f"Over the window the driver supplied {quantity(energy.get('drive_work'), 'J')}, the load took "
-                          f"{quantity(energy.get('resisting_work'), 'J')}, {quantity(energy.get('lost'), 'J', 3)} were lost and "
+                          f"{quantity(energy.get('resisting_work'), 'J')}, {quantity(energy.get('lost'), 'J', 3)} {around(energy.get('lost_uncertainty'), 'J')} were lost and "
                           f"{quantity(energy.get('stored'), 'J', 3)} more are stored than before."], "plain")
     rows = [(escape(name.replace("_", " ")), *(f"{100 * one[which]:+.2g} %" for which in ("error", "low", "high")))
             for name, one in summary.get("accuracy", {}).items()]

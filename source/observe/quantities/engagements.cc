@@ -83,16 +83,18 @@ public:
   static Contents contents()
   {
     Contents contents;
-    contents.summary = {{"pitch_time_mean", "s", "time from engagement to engagement, mean"},
-                        {"engagements/*/sprocket", "", "name of the sprocket"},
-                        {"engagements/*/roller", "", "number of the joint"},
-                        {"engagements/*/time", "s", "first touch"},
-                        {"engagements/*/relative_speed", "m/s", "speed of roller against tooth"},
-                        {"engagements/*/normal_speed", "m/s", "normal speed of an impact"},
-                        {"engagements/*/peak_force", "N", "peak force of an impact"},
-                        {"engagements/*/impulse", "N s", "impulse of an impact"},
-                        {"engagements/*/complete", "", "whether the run went on for 1 ms"},
-                        {"impacts/*/number", "1", "impacts on a sprocket in the window"}};
+    contents.summary = {
+        {"pitch_time_mean", "s", "time from engagement to engagement, mean"},
+        {"pitch_time_uncertainty", "s", "of this mean: half of its 95 % confidence interval"},
+        {"engagements/*/sprocket", "", "name of the sprocket"},
+        {"engagements/*/roller", "", "number of the joint"},
+        {"engagements/*/time", "s", "first touch"},
+        {"engagements/*/relative_speed", "m/s", "speed of roller against tooth"},
+        {"engagements/*/normal_speed", "m/s", "normal speed of an impact"},
+        {"engagements/*/peak_force", "N", "peak force of an impact"},
+        {"engagements/*/impulse", "N s", "impulse of an impact"},
+        {"engagements/*/complete", "", "whether the run went on for 1 ms"},
+        {"impacts/*/number", "1", "impacts on a sprocket in the window"}};
     for (const auto &[name, unit] : {std::make_pair("peak_force", "N"),
                                      std::make_pair("impulse", "N s"),
                                      std::make_pair("normal_speed", "m/s")})
@@ -117,7 +119,9 @@ public:
   void summarize(files::Json &summary) const override
   {
     summary["pitch_time_mean"] = mean_pitch_time();
-    files::Json list           = files::Json::array();
+    summary["pitch_time_uncertainty"] =
+        uncertainty_of_mean(pitch_times(), now_.window().pitches_per_period());
+    files::Json list = files::Json::array();
     for (const Engagement &e : found_)
       list.push_back({{"sprocket", e.sprocket},
                       {"roller", e.roller},
@@ -332,6 +336,22 @@ private:
           last = engagement.time;
         }
     return n > 1 ? (last - first) / (n - 1) : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// These times, one after the other, s.
+  std::vector<double> pitch_times() const
+  {
+    const std::string   driver = now_.scene.drive.driver().name;
+    std::vector<double> times;
+    double              last = std::numeric_limits<double>::quiet_NaN();
+    for (const Engagement &engagement : found_)
+      if (engagement.sprocket == driver && in_window(engagement))
+        {
+          if (!std::isnan(last))
+            times.push_back(engagement.time - last);
+          last = engagement.time;
+        }
+    return times;
   }
 
   std::vector<Sprocket>   sprockets_;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -49,24 +50,32 @@ public:
 
   static Contents contents()
   {
-    return {{},
-            {{"losses/*/friction", "J", "lost by friction of an interface in the window"},
-             {"losses/*/damping", "J", "lost by damping of an interface in the window"},
-             {"losses/*/energy",
-              "J",
-              "lost by an interface, chain damping, drag, a coupling, a bearing or other force "
-              "elements in "
-              "the window"},
-             {"losses/*/power", "W", "the same over the time of the window"},
-             {"losses/*/uncertainty",
-              "W",
-              "of the power of an interface: half of its 95 % interval, by batches of pitches"},
-             {"window_energy/drive_work", "J", "work of the driver in the window"},
-             {"window_energy/resisting_work", "J", "work against the load in the window"},
-             {"window_energy/lost", "J", "lost in the window"},
-             {"window_energy/stored", "J", "stored at the end of the window less at its begin"},
-             {"window_energy/duration", "s", "time of the window"},
-             {"efficiency", "1", "efficiency in the window"}}};
+    return {
+        {},
+        {{"losses/*/friction", "J", "lost by friction of an interface in the window"},
+         {"losses/*/damping", "J", "lost by damping of an interface in the window"},
+         {"losses/*/energy",
+          "J",
+          "lost by an interface, chain damping, drag, a coupling, a bearing or other force "
+          "elements in "
+          "the window"},
+         {"losses/*/power", "W", "the same over the time of the window"},
+         {"losses/*/uncertainty",
+          "W",
+          "of the power: half of its 95 % interval, by batches of pitches"},
+         {"window_energy/drive_work", "J", "work of the driver in the window"},
+         {"window_energy/resisting_work", "J", "work against the load in the window"},
+         {"window_energy/lost", "J", "lost in the window"},
+         {"window_energy/lost_uncertainty",
+          "J",
+          "of what is lost in windows as long as this: half of its 95 % interval, by batches of "
+          "pitches"},
+         {"window_energy/stored", "J", "stored at the end of the window less at its begin"},
+         {"window_energy/duration", "s", "time of the window"},
+         {"efficiency", "1", "efficiency in the window"},
+         {"efficiency_uncertainty",
+          "1",
+          "of the efficiency: half of its 95 % interval, by batches of pitches"}}};
   }
 
   bool reads_contacts() const override { return false; }
@@ -95,45 +104,52 @@ public:
     const auto energy = [&](const double value) { return empty ? std::nan("") : strands * value; };
     files::Json &losses = summary["losses"];
     losses              = files::Json::object();
-    const auto add      = [&](const std::string &name, const double lost) {
-      losses[name]["energy"] = energy(lost);
-      losses[name]["power"]  = energy(lost) / duration;
+    const auto add = [&](const std::string &name, const Terms &terms, const Terms &without = {}) {
+      const double lost           = sum(within_.data(), terms) - sum(within_.data(), without);
+      losses[name]["energy"]      = energy(lost);
+      losses[name]["power"]       = energy(lost) / duration;
+      losses[name]["uncertainty"] = strands * uncertainty_of(terms, without);
     };
     for (std::size_t i = 0; i < interfaces_.size(); ++i)
       { // families of rigid and of elastic bodies share a name
         double friction = 0., damping = 0.;
+        Terms  both;
         for (std::size_t j = 0; j < interfaces_.size(); ++j)
           if (interfaces_[j] == interfaces_[i])
             {
               friction += within_[n_terms + 2 * j];
               damping += within_[n_terms + 2 * j + 1];
+              both.insert(both.end(), {n_terms + 2 * j, n_terms + 2 * j + 1});
             }
         losses[interfaces_[i]] = {{"friction", energy(friction)}, {"damping", energy(damping)}};
-        add(interfaces_[i], friction + damping);
-        losses[interfaces_[i]]["uncertainty"] = strands * uncertainty_of(interfaces_[i]);
+        add(interfaces_[i], both);
       }
     if (now_.system.bars.size() > 0)
-      add("chain damping", within_[chain_damping]);
+      add("chain damping", {chain_damping});
     if (now_.system.loads.drag() != 0.)
-      add("drag", within_[drag]);
+      add("drag", {drag});
     const std::size_t first = n_terms + 2 * interfaces_.size();
-    double            named = 0.;
     for (std::size_t i = 0; i < elements_.size(); ++i)
-      {
-        add(elements_[i], within_[first + i]);
-        named += within_[first + i];
-      }
+      add(elements_[i], {first + i});
     if (elements_.size() < now_.system.forces.size())
-      add("force elements", within_[spring_damping] - named);
+      { // the others
+        std::vector<std::size_t> all(elements_.size());
+        std::iota(all.begin(), all.end(), first);
+        add("force elements", {spring_damping}, all);
+      }
 
     const double in = within_[drive_work], out = within_[resisting_work],
                  stored      = within_[stored_energy];
     summary["window_energy"] = {{"drive_work", energy(in)},
                                 {"resisting_work", energy(out)},
                                 {"lost", energy(within_[lost])},
+                                {"lost_uncertainty", strands * uncertainty_of({lost}) * duration},
                                 {"stored", energy(stored)},
                                 {"duration", duration}};
-    summary["efficiency"]    = in - stored > 0. && out > 0. ? out / (in - stored) : std::nan("");
+    const bool drives        = in - stored > 0. && out > 0.;
+    summary["efficiency"]    = drives ? out / (in - stored) : std::nan("");
+    summary["efficiency_uncertainty"] =
+        drives ? uncertainty_of_efficiency(out / (in - stored)) : std::nan("");
   }
 
   void serialize(const Archive &archive) override
@@ -153,6 +169,8 @@ public:
   }
 
 private:
+  using Terms = std::vector<std::size_t>; ///< places in present()
+
   enum Term : unsigned int
   {
     drive_work,
@@ -184,7 +202,7 @@ private:
         values.push_back(*lost);
   }
 
-  /// Remembers what has come to each interface when another pitch of the driver has passed.
+  /// Remembers what has come to each term when another pitch of the driver has passed.
   void add_pitch()
   {
     if (driver_ == nullptr)
@@ -194,31 +212,60 @@ private:
     if (teeth_ * (driver_->angle - angle_) < static_cast<double>(pitch_ends_.size()))
       return;
     pitch_ends_.push_back(now_.time());
-    for (std::size_t j = 0; j < interfaces_.size(); ++j)
-      at_pitches_.push_back(within_[n_terms + 2 * j] + within_[n_terms + 2 * j + 1]);
+    at_pitches_.insert(at_pitches_.end(), within_.begin(), within_.end());
   }
 
-  /// Of the mean power of the interface with this @p name, of one strand, W; not a number when
-  /// there are too few pitches.
-  double uncertainty_of(const std::string &name) const
+  /// Of the values that begin at @p values those of @p terms.
+  static double sum(const double *values, const Terms &terms)
+  {
+    double all = 0.;
+    for (const std::size_t term : terms)
+      all += values[term];
+    return all;
+  }
+
+  std::size_t n_pitches() const { return pitch_ends_.empty() ? 0 : pitch_ends_.size() - 1; }
+
+  /// What has come to @p terms in a pitch, J, of one strand.
+  double in_pitch(const std::size_t i, const Terms &terms) const
+  {
+    const double *end = &at_pitches_[(i + 1) * within_.size()];
+    return sum(end, terms) - sum(end - within_.size(), terms);
+  }
+
+  /// Of the mean power that is lost in @p terms and not in those @p without, of one strand, W; not
+  /// a number when there are too few pitches.
+  double uncertainty_of(const Terms &terms, const Terms &without = {}) const
   {
     std::vector<double> powers;
-    for (std::size_t i = 0; i + 1 < pitch_ends_.size(); ++i)
-      {
-        double lost = 0.;
-        for (std::size_t j = 0, n = interfaces_.size(); j < n; ++j)
-          if (interfaces_[j] == name)
-            lost += at_pitches_[(i + 1) * n + j] - at_pitches_[i * n + j];
-        powers.push_back(lost / (pitch_ends_[i + 1] - pitch_ends_[i]));
-      }
+    for (std::size_t i = 0; i < n_pitches(); ++i)
+      powers.push_back((in_pitch(i, terms) - in_pitch(i, without)) /
+                       (pitch_ends_[i + 1] - pitch_ends_[i]));
     return uncertainty_of_mean(powers, now_.window().pitches_per_period());
+  }
+
+  /// Of the @p efficiency e, work w against the load over this and what is lost l: a ratio of
+  /// means, whose error is that of the mean of (w - e (w + l)) over that of w + l [W. G. Cochran,
+  /// Sampling Techniques, 3rd ed., 1977, sec. 6.4]. 1
+  double uncertainty_of_efficiency(const double efficiency) const
+  {
+    std::vector<double> off;
+    double              all = 0.;
+    for (std::size_t i = 0; i < n_pitches(); ++i)
+      {
+        const double out = in_pitch(i, {resisting_work}), both = out + in_pitch(i, {lost});
+        off.push_back(out - efficiency * both);
+        all += both;
+      }
+    return uncertainty_of_mean(off, now_.window().pitches_per_period()) /
+           (all / static_cast<double>(off.size()));
   }
 
   const World::Hub        *driver_ = nullptr;
   double                   teeth_  = 0.; ///< of the driver over 2 pi, positive as it runs
   double                   angle_  = 0.; ///< of the driver when the window began
   std::vector<double>      pitch_ends_;  ///< when whole pitches had passed since, s
-  std::vector<double>      at_pitches_;  ///< lost by each interface until then, J
+  std::vector<double>      at_pitches_;  ///< what had come to each term until then, J
   WindowMean               time_;        ///< how much of the window has passed
   std::vector<std::string> interfaces_;
   std::vector<std::string> elements_; ///< whose losses have names of their own
