@@ -287,17 +287,10 @@ void RollerStrips::find_near(const Roller &roller, const double reach)
 {
   const std::vector<ToothStrips::Strip> &places = profile_.strips();
   const dealii::Tensor<1, 2>             centre = roller.frame.centre;
-  const double                           far    = radius_ + reach + strip_sagitta;
   near_strips_.clear();
-  for (unsigned int s = 0; s < places.size(); ++s)
+  profile_.find_near(centre, radius_ + reach + strip_sagitta, near_numbers_);
+  for (const unsigned int s : near_numbers_)
     {
-      if (const double beyond = (places[s].middle - centre).norm() - far; beyond > 0.)
-        {
-          // the next ones cannot be much nearer
-          s += static_cast<unsigned int>(
-              std::min<double>(beyond / profile_.spacing(), places.size()));
-          continue;
-        }
       NearStrip strip{s, -radius_, {}, not_laid};
       for (const dealii::Tensor<1, 2> &point : places[s].gauss)
         {

@@ -16,6 +16,8 @@ constexpr double narrow = 0.0125, wide = 0.09, growth = 0.25;
 constexpr double beyond          = 0.2; ///< the middle of a tooth
 constexpr double strip_round_off = 1e-12;
 
+constexpr unsigned int n_in_block = 8; ///< strips whose distances are compared side by side
+
 /// The point of the half profile @p length [m] from the bottom of the gap; it goes on beyond the
 /// middle of the tooth as its mirror image, and before the bottom likewise.
 Tensor<1, 2> point_at(const ToothForm &form, const double length)
@@ -93,9 +95,35 @@ ToothStrips::ToothStrips(const ToothForm &form, const double radius)
           strip.gauss[g] = point_at(form, middle + (g == 0 ? -wide : wide) / std::sqrt(3.));
           strip.ends[g]  = point_at(form, ends[i + g]);
         }
-      if (i > 0)
-        spacing_ = std::max(spacing_, (strip.middle - strips_.back().middle).norm());
       strips_.push_back(strip);
+      x_.push_back(strip.middle[0]);
+      y_.push_back(strip.middle[1]);
+    }
+  constexpr double far_away = 1e6; // m
+  x_.resize((x_.size() + n_in_block - 1) / n_in_block * n_in_block, far_away);
+  y_.resize(x_.size(), far_away);
+}
+
+void ToothStrips::find_near(const Tensor<1, 2>        &centre,
+                            const double               distance,
+                            std::vector<unsigned int> &numbers) const
+{
+  const double square = distance * distance, x = centre[0], y = centre[1];
+  numbers.clear();
+  for (unsigned int first = 0; first < x_.size(); first += n_in_block)
+    {
+      double       of[n_in_block];
+      unsigned int any = 0;
+      for (unsigned int i = 0; i < n_in_block; ++i)
+        {
+          const double dx = x_[first + i] - x, dy = y_[first + i] - y;
+          of[i] = dx * dx + dy * dy;
+        }
+      for (const double d : of)
+        any |= d <= square ? 1U : 0U;
+      for (unsigned int i = 0; any != 0 && i < n_in_block; ++i)
+        if (of[i] <= square)
+          numbers.push_back(first + i);
     }
 }
 } // namespace chaindrive::contact

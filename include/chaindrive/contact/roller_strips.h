@@ -217,6 +217,7 @@ private:
   std::vector<unsigned int>               read_;          ///< those announced last
   std::vector<Roller>                     rollers_;
   std::vector<dealii::Tensor<1, 2>>       displacement_; ///< room, [column][ring], m
+  std::vector<unsigned int>               near_numbers_; ///< room, of strips
   std::vector<NearStrip>                  near_strips_;  ///< room
   std::vector<Candidate>                  candidates_;   ///< room
   std::vector<Load>                       loads_;        ///< on the roller at hand

@@ -29,15 +29,18 @@ public:
 
   const std::vector<Strip> &strips() const { return strips_; }
 
-  /// The largest distance from the middle of one to that of the next, m.
-  double spacing() const { return spacing_; }
+  /// Sets @p numbers to those of the strips whose middles are no farther than @p distance [m] from
+  /// the point @p centre [m], ascending.
+  void find_near(const dealii::Tensor<1, 2> &centre,
+                 double                      distance,
+                 std::vector<unsigned int>  &numbers) const;
 
   /// Where they are round a roller that rolls along the profile, from the bottom of the gap.
   const StripGrid &grid() const { return grid_; }
 
 private:
-  std::vector<Strip> strips_;
-  StripGrid          grid_;
-  double             spacing_ = 0.;
+  std::vector<Strip>  strips_;
+  StripGrid           grid_;
+  std::vector<double> x_, y_; ///< of their middles, made up to blocks by points far away, m
 };
 } // namespace chaindrive::contact
