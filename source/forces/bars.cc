@@ -43,6 +43,8 @@ void Bars::make_runs(const PlanarBodies &bodies)
           run.numbers[i]         = bar.length;
           run.numbers[n + i]     = bar.stiffness;
           run.numbers[2 * n + i] = bar.damping;
+          run.numbers[4 * n + i] = length_[run.begin + i];
+          run.numbers[5 * n + i] = viscous_[run.begin + i];
         }
     }
 }
@@ -66,12 +68,8 @@ void Bars::add_in_plane(World &world, const double dt)
                       numbers + 5 * n,
                       0.,
                       0.};
-      std::copy_n(length_.begin() + run.begin, run.n, bars.length);
-      std::copy_n(viscous_.begin() + run.begin, run.n, bars.viscous);
       world.planar->kernels().stretch(world.planar->slots(), bars);
       std::copy_n(bars.tension, run.n, tension_.begin() + run.begin);
-      std::copy_n(bars.length, run.n, length_.begin() + run.begin);
-      std::copy_n(bars.viscous, run.n, viscous_.begin() + run.begin);
       world.ledger.bar += bars.energy;
       if (dt > 0.)
         world.ledger.chain_damping += bars.loss;
@@ -115,6 +113,14 @@ void Bars::add_forces(World &world, const double dt)
 
 void Bars::serialize(const Archive &archive)
 {
+  for (const Run &run : runs_) // which have what the last evaluation found
+    {
+      const double *numbers = run.numbers.begin();
+      std::copy_n(numbers + 4 * n_computed_of(run.n), run.n, length_.begin() + run.begin);
+      std::copy_n(numbers + 5 * n_computed_of(run.n), run.n, viscous_.begin() + run.begin);
+    }
+  if (archive.reads())
+    runs_.clear(); // to be made of what comes now
   archive.numbers("tension", tension_);
   archive.numbers("length", length_);
   archive.numbers("viscous", viscous_);

@@ -188,10 +188,10 @@ void Spans::add_link(const World       &world,
   span.inward += arm * mirrored_;
 }
 
-void Spans::add_link_in_plane(const PlanarBodies &planar,
-                              const unsigned int  k,
-                              Span               &span,
-                              const scene::Span  &along) const
+inline void Spans::add_link_in_plane(const PlanarBodies &planar,
+                                     const unsigned int  k,
+                                     Span               &span,
+                                     const scene::Span  &along) const
 {
   const unsigned int         next  = k + 1 < drive_.n_joints ? k + 1 : 0;
   const dealii::Tensor<1, 2> at    = planar.position(slots_[k]);
@@ -216,13 +216,17 @@ void Spans::update(const dynamics::System &system)
   find_members(system.world);
   std::fill(spans_.begin(), spans_.end(), Span());
   std::fill(n_links_.begin(), n_links_.end(), 0);
-  for (const auto &[k, s] : members_)
+  for (auto member = members_.begin(); member != members_.end();)
     {
-      if (slots_.empty())
-        add_link(system.world, k, spans_[s], drive_.spans[s]);
-      else
-        add_link_in_plane(*system.world.planar, k, spans_[s], drive_.spans[s]);
-      ++n_links_[s];
+      // those of one span follow each other
+      const unsigned int s    = member->second;
+      Span               span = spans_[s];
+      for (; member != members_.end() && member->second == s; ++member, ++n_links_[s])
+        if (slots_.empty())
+          add_link(system.world, member->first, span, drive_.spans[s]);
+        else
+          add_link_in_plane(*system.world.planar, member->first, span, drive_.spans[s]);
+      spans_[s] = span;
     }
   for (unsigned int s = 0; s < spans_.size(); ++s)
     if (n_links_[s] > 0)

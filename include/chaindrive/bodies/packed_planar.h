@@ -134,11 +134,30 @@ double kinetic_energy_of_planar(PlanarSlots bodies)
   return 0.5 * sum_of(energy);
 }
 
+/// The number of the lane before in each lane, and zero in the first one.
 template <int width>
-void stretch_planar(PlanarSlots bodies, PlanarBars &bars)
+CHAINDRIVE_ALWAYS_INLINE Pack<double, width> moved_up(const Pack<double, width> &p)
+{
+  Pack<double, width>       r(0.);
+  const Pack<double, width> zero(0.);
+  if constexpr (width == 2)
+    r.v = __builtin_shufflevector(p.v, zero.v, 2, 0);
+  else if constexpr (width == 4)
+    r.v = __builtin_shufflevector(p.v, zero.v, 4, 0, 1, 2);
+  else if constexpr (width == 8)
+    r.v = __builtin_shufflevector(p.v, zero.v, 8, 0, 1, 2, 3, 4, 5, 6);
+  return r;
+}
+
+/// Of @p neighbours each bar ends at the body at which the next one begins. What bars on both sides
+/// do to a body is then added at once: numbers that have just been stored from other lanes would
+/// have to be waited for.
+template <int width, bool neighbours>
+void stretch_run(PlanarSlots bodies, PlanarBars &bars)
 {
   using P = Pack<double, width>;
-  P energy(0.), loss(0.);
+  P      energy(0.), loss(0.);
+  double tension_before = 0., before[2] = {0., 0.}; // of the bar before this pack
   for (unsigned int i = 0; i < bars.n; i += width)
     {
       P between[2], rate(0.), square(0.);
@@ -166,17 +185,45 @@ void stretch_planar(PlanarSlots bodies, PlanarBars &bars)
       loss += (P::load(bars.viscous + i) + viscous) * (length - P::load(bars.length + i));
       viscous.store(bars.viscous + i);
       length.store(bars.length + i);
-      // one after the other: a body may be in both slots
-      for (unsigned int d = 0; d < 2; ++d)
+      if constexpr (neighbours)
         {
-          const P pull = tension * between[d];
-          double *f    = bodies.of(planar_force + d);
-          (P::load_unaligned(f + bars.first + i) + pull).store_unaligned(f + bars.first + i);
-          (P::load_unaligned(f + bars.second + i) - pull).store_unaligned(f + bars.second + i);
+          P alone(0.);
+          set_lane(alone, 0, tension_before);
+          const P behind = moved_up(tension);
+          for (unsigned int d = 0; d < 2; ++d)
+            {
+              double *f   = bodies.of(planar_force + d) + bars.first + i;
+              P       sum = P::load_unaligned(f) - alone * P(before[d]);
+              sum         = sum + tension * between[d];
+              sum         = sum - behind * moved_up(between[d]);
+              sum.store_unaligned(f);
+              before[d] = between[d][width - 1];
+            }
+          tension_before = tension[width - 1];
         }
+      else // one after the other: a body may be in both slots
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            const P pull = tension * between[d];
+            double *f    = bodies.of(planar_force + d);
+            (P::load_unaligned(f + bars.first + i) + pull).store_unaligned(f + bars.first + i);
+            (P::load_unaligned(f + bars.second + i) - pull).store_unaligned(f + bars.second + i);
+          }
     }
+  if constexpr (neighbours) // the last body has no further bar
+    for (unsigned int d = 0; d < 2; ++d)
+      bodies.of(planar_force + d)[bars.first + bars.n] -= tension_before * before[d];
   bars.energy += 0.5 * sum_of(energy);
   bars.loss += 0.5 * sum_of(loss);
+}
+
+template <int width>
+void stretch_planar(PlanarSlots bodies, PlanarBars &bars)
+{
+  if (bars.second == bars.first + 1)
+    stretch_run<width, true>(bodies, bars);
+  else
+    stretch_run<width, false>(bodies, bars);
 }
 
 template <int width>

@@ -57,7 +57,8 @@ private:
   std::vector<scene::Bar> bars_;
   std::vector<Run>        runs_;
   std::vector<double>     tension_;
-  std::vector<double>     length_;  ///< at the last evaluation, m
-  std::vector<double>     viscous_; ///< part of the tension, at the last evaluation, N
+  // at the last evaluation; of runs, when they were made or serialize() was called
+  std::vector<double> length_;  ///< m
+  std::vector<double> viscous_; ///< part of the tension, N
 };
 } // namespace chaindrive

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/link_kernels.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/schedule.h>
 #include <chaindrive/observe/wrap.h>
+#include <chaindrive/utilities/simd.h>
 #include <chaindrive/utilities/text.h>
 
 #include <algorithm>
@@ -236,10 +238,8 @@ private:
     const std::vector<double> &tension = now_.spans().link_tension();
     if (strength_ <= 0. || tension.empty())
       return;
-    unsigned int above = 0;
-    for (const double of_link : tension) // at every step: in lanes, unlike a search of the largest
-      above += static_cast<unsigned int>(of_link > strength_);
-    if (above == 0)
+    // at every step: in lanes, unlike a search of the largest
+    if (!kernels_.any_above(tension.data(), static_cast<unsigned int>(tension.size()), strength_))
       return;
     const auto most = std::max_element(tension.begin(), tension.end());
     book(broken_, now_.time(), *most, static_cast<unsigned int>(most - tension.begin()));
@@ -338,6 +338,7 @@ private:
   double                  started_;    ///< time from which the start-up is over, s
   Schedule                looks_;
   bool                    knows_tensions_;
+  const LinkKernels      &kernels_ = *link_kernels(simd_width());
   double                  strength_;  ///< of the chain, N; 0: not known
   std::vector<OnSprocket> sprockets_; ///< those with teeth
   std::vector<unsigned int> numbers_; ///< of these in the drive

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/life.h>
+#include <chaindrive/observe/link_kernels.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/utilities/batch_means.h>
+#include <chaindrive/utilities/simd.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -50,16 +52,13 @@ public:
         sense_.assign(n, 0.);
         return;
       }
-    unsigned int turned = 0;
-    for (std::size_t k = 0; k < n; ++k)
-      {
-        const double change  = tension[k] - last_[k];
-        const bool   goes_on = change * sense_[k] > 0.;
-        turned += static_cast<unsigned int>(!goes_on && std::abs(change) > smallest);
-        last_[k] = goes_on ? tension[k] : last_[k];
-        way_[k]  = goes_on ? at : way_[k];
-      }
-    if (turned == 0)
+    if (!kernels_.follow({tension.data(),
+                          last_.data(),
+                          way_.data(),
+                          sense_.data(),
+                          static_cast<unsigned int>(n),
+                          at,
+                          smallest}))
       return;
     for (std::size_t k = 0; k < n; ++k)
       if (const double change = tension[k] - last_[k]; std::abs(change) > smallest)
@@ -95,6 +94,7 @@ public:
   }
 
 private:
+  const LinkKernels       &kernels_ = *link_kernels(simd_width());
   std::vector<LinkHistory> links_; ///< turning points
   std::vector<double>      last_;  ///< tensions, N; none before the first
   std::vector<double>      way_;   ///< when they were so, pitches

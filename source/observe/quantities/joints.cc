@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/link_kernels.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
+#include <chaindrive/utilities/simd.h>
 
 #include <algorithm>
 #include <limits>
@@ -90,8 +92,8 @@ public:
         std::fill(kind.force.begin(), kind.force.end(), 0.);
         for (const contact::Family *family : kind.families)
           kind.penetration = std::max(kind.penetration, family->add_normal_forces(kind.force));
-        for (unsigned int k = 0; k < kind.force.size(); ++k)
-          kind.peak[k] = std::max(kind.peak[k], kind.force[k]);
+        kernels_.raise(
+            kind.peak.data(), kind.force.data(), static_cast<unsigned int>(kind.force.size()));
       }
   }
 
@@ -144,7 +146,8 @@ private:
     /// Largest in the window so far, Pa.
     double pressure_max = std::numeric_limits<double>::quiet_NaN();
   };
-  std::vector<Kind> kinds_;
+  const LinkKernels &kernels_ = *link_kernels(simd_width());
+  std::vector<Kind>  kinds_;
 };
 
 const Registered<Joints>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/observe/link_kernels.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
+#include <chaindrive/utilities/simd.h>
 
 #include <algorithm>
 #include <limits>
@@ -40,8 +42,7 @@ public:
   void update() override
   {
     const std::vector<double> &tension = now_.spans().link_tension();
-    for (unsigned int k = 0; k < tension.size(); ++k)
-      peak_[k] = std::max(peak_[k], tension[k]);
+    kernels_.raise(peak_.data(), tension.data(), static_cast<unsigned int>(tension.size()));
   }
 
   void begin_interval() override
@@ -52,6 +53,7 @@ public:
   void serialize(const Archive &archive) override { archive.numbers("peak", peak_); }
 
 private:
+  const LinkKernels  &kernels_ = *link_kernels(simd_width());
   std::vector<double> peak_; ///< since the last sample, N
 };
 

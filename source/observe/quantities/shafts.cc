@@ -128,12 +128,12 @@ private:
 
     void update()
     {
-      load = dealii::Tensor<1, 3>();
+      dealii::Tensor<1, 3> sum;
       for (const contact::SurfaceContact *family : teeth)
         for (const contact::SurfaceContact::Press &press : family->presses())
           for (unsigned int point = 0; point < press.n_points; ++point)
-            load -= press.force;
-      load *= strands;
+            sum -= press.force;
+      load = strands * sum;
     }
 
     std::string                                  name;

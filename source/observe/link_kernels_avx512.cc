@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Compiled for this instruction set. No header of a library comes in here: an inline function of it
+// could be linked into the program in its widest form.
+#include <chaindrive/observe/packed_links.h>
+
+namespace chaindrive::observe
+{
+extern const LinkKernels avx512_link_kernels;
+const LinkKernels        avx512_link_kernels = packed::make_link_kernels<8>();
+} // namespace chaindrive::observe
