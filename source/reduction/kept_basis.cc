@@ -206,10 +206,10 @@ BasisOptions options_of(const parameters::Reduction &reduction,
       2. * dealii::numbers::PI * reduction.modes_up_to.value_or(pressed_joints ? 60e3 : 120e3);
   options.cap = 2. * dealii::numbers::PI * reduction.highest;
   if (reduction.fastest_of_links || !pressed_joints)
-    options.fastest_of_links = 2. * dealii::numbers::PI * reduction.fastest_of_links.value_or(60e3);
+    options.fastest_of_links = 2. * dealii::numbers::PI * reduction.fastest_of_links.value_or(80e3);
   if (!pressed_joints && !pressed_outside)
     options.fastest_of_rollers =
-        2. * dealii::numbers::PI * reduction.fastest_of_rollers.value_or(80e3);
+        2. * dealii::numbers::PI * reduction.fastest_of_rollers.value_or(90e3);
   options.orders = {
       reduction.tube_order, reduction.pin_order, pressed_joints, pressed_outside, pressed_faces};
   return options;
