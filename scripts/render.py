@@ -11,6 +11,20 @@ Stress in the full model at the driver, seen through the chain's middle plane:
     render.py results/full/bodies.pvd --color von_mises --divide 1e6 --title "von Mises (MPa)" \\
         --range 0 100 --sequential --behind 0 --focus 0.004 0.024 0 --height 0.062 \\
         --view 0.1 0.15 1 --size 1120 700 --colors 96 -o doc/pictures/stress.png
+
+Pressure without penalty, on a tooth and on a roller, after
+    chaindrive run prm/paper/reduced-half.prm --output results/pressure \\
+        --set "Time/End time in ms=9.1" --set "Output/Window start in ms=8" \\
+        --set "Output/Field interval in ms=9" --set Mesh/Sprockets/Refinement=2
+    render.py results/pressure/contacts.pvd --only interface 0 --color contact_pressure \\
+        --divide 1e6 --title "pressure (MPa)" --sequential --range 0 400 \\
+        --beside results/pressure/bodies.pvd --kinds 3 --no-edges --focus -0.0075 0.0335 0.0018 \\
+        --height 0.016 --view -0.75 0.65 0.6 --size 1120 700 --colors 96 \\
+        -o doc/pictures/pressure-tooth.png
+    render.py results/pressure/bodies.pvd --only kind 0 1 --color contact_pressure --divide 1e6 \\
+        --title "pressure (MPa)" --sequential --range 0 150 --focus -0.0065 0.0365 0.0018 \\
+        --height 0.02 --view 0.1 -0.8 -0.6 --size 1120 700 --colors 96 \\
+        -o doc/pictures/pressure-roller.png
 """
 import argparse
 import os
