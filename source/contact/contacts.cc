@@ -24,11 +24,15 @@ namespace chaindrive::contact
 {
 namespace
 {
-/// Rollers that become ovals meet others by PlanarContact alone.
-void refuse_oval(const scene::Scene    &scene,
-                 const scene::Interface interface,
-                 const std::string     &name)
+/// Rollers that become ovals, and stiffness curves, are for PlanarContact alone.
+void refuse_in_space(const scene::Scene    &scene,
+                     const scene::Interface interface,
+                     const std::string     &name,
+                     const bool             curved)
 {
+  if (curved)
+    throw InputError("Effects/Stiffness curves = on is not possible: the contacts " + name +
+                     " are not all alike in the plane; choose auto or off.");
   if (scene.oval &&
       (interface == scene::Interface::roller_teeth || interface == scene::Interface::roller_bush))
     throw InputError("Effects/Oval rollers = on is not possible: the contacts " + name +
@@ -82,7 +86,7 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
       const scene::SurfaceFamily family = on_flanks(teeth, world);
       if (world.planar == nullptr || !add_planar(PlanarFlanks::make(teeth, family, world)))
         {
-          refuse_oval(scene, family.interface.interface, teeth.name);
+          refuse_in_space(scene, family.interface.interface, teeth.name, teeth.curve.has_value());
           add_family(family);
         }
     }
@@ -106,7 +110,7 @@ Contacts::Contacts(const scene::Scene &scene, World &world, const bool search_ev
       }
     else if (world.planar == nullptr || !add_planar(PlanarBores::make(bores, world)))
       {
-        refuse_oval(scene, bores.interface, bores.name);
+        refuse_in_space(scene, bores.interface, bores.name, bores.curve.has_value());
         families_.push_back(std::make_unique<PointContact>(bores));
       }
   for (const scene::SideFamily &sides : scene.sides)

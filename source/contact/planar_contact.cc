@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/planar_contact.h>
+#include <chaindrive/drive/stiffness_fit.h>
 #include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/utilities/simd.h>
 
@@ -87,12 +88,17 @@ double share_of_oval(const scene::BoreFamily &family, const World &world)
 } // namespace
 
 template <typename SceneFamily>
-PlanarContact::PlanarContact(const SceneFamily &family, const World &world)
+PlanarContact::PlanarContact(const SceneFamily                          &family,
+                             const World                                &world,
+                             const std::optional<drive::StiffnessCurve> &curve)
     : PointContact(family)
     , kernels_(*planar_contact_kernels(simd_width()))
     , oval_(share_of_oval(family, world))
+    , curve_(curve)
     , multiplicity_(multiplicity_of(family))
 {
+  if (curve_ && multiplicity_ > 0)
+    closed_stiffness_ = drive::stiffest(*curve_) / multiplicity_;
 }
 
 void PlanarContact::make_places(std::vector<unsigned int> first, const std::vector<double> &room)
@@ -253,7 +259,13 @@ const std::vector<SurfaceContact::Press> &PlanarContact::presses() const
 
 PlanarContacts PlanarContact::arguments(const double radius, const double dt)
 {
-  return {touch_.begin(), n_places(), law_.times(multiplicity_), radius, dt, oval_};
+  return {touch_.begin(),
+          n_places(),
+          law_.times(multiplicity_),
+          radius,
+          dt,
+          oval_,
+          curve_ ? &*curve_ : nullptr};
 }
 
 void PlanarContact::book(const PlanarEnergies &energies, World &world)
@@ -275,7 +287,7 @@ std::unique_ptr<PlanarBores> PlanarBores::make(const scene::BoreFamily &family, 
 }
 
 PlanarBores::PlanarBores(const scene::BoreFamily &family, const World &world)
-    : PlanarContact(family, world)
+    : PlanarContact(family, world, family.curve)
 {
   if (multiplicity() == 0)
     return;
@@ -364,7 +376,7 @@ std::unique_ptr<PlanarFlanks> PlanarFlanks::make(const scene::ToothFamily   &tee
 PlanarFlanks::PlanarFlanks(const scene::ToothFamily   &teeth,
                            const scene::SurfaceFamily &on_flanks,
                            const World                &world)
-    : PlanarContact(on_flanks, world), bodies_(*world.planar)
+    : PlanarContact(on_flanks, world, teeth.curve), bodies_(*world.planar)
 {
   using drive::Segment;
   const drive::ToothForm &form = *teeth.form;

@@ -51,6 +51,7 @@ PointContact::PointContact(const std::string        &name,
                            const scene::ContactLaw  &law,
                            std::vector<Pair>         pairs)
     : SurfaceContact(name, interface, law, std::move(pairs))
+    , closed_stiffness_(law.stiffness)
     , hints_(records_.size(), mesh::Projection::no_facet)
 {
 }
@@ -243,7 +244,7 @@ void PointContact::add_closed(const World                &world,
       if (in_plane > 0.)
         spin = radius * radius * size(inverse_inertia, z) / in_plane;
       const double distance = z * (centre - world.frames[slave].position),
-                   held     = std::max(law_.stiffness / kt, 1. + spin) * distance * distance;
+                   held     = std::max(closed_stiffness_ / kt, 1. + spin) * distance * distance;
       if (across > 0.)
         {
           const double half = 0.5 * ((radius * radius + held) * tilting / across - 1.);
@@ -283,14 +284,14 @@ void PointContact::add_closed(const World                &world,
                          axes[0],
                          centre,
                          centre,
-                         factor * law_.stiffness,
+                         factor * closed_stiffness_,
                          factor * law_.damping,
                          false,
                          true});
     }
   for (const unsigned int d : {0, 1})
     add(d,
-        std::max((1. + oval) * law_.stiffness, (1. + spin) * kt),
+        std::max((1. + oval) * closed_stiffness_, (1. + spin) * kt),
         std::max((1. + oval) * law_.damping, (1. + spin) * ct));
   add(2, (1. + tilt) * kt, (1. + tilt) * ct);
   add_rotation(0, tilt);

@@ -22,6 +22,7 @@ struct KnownForce
   double rate = 0.;
 
   double penetration() const { return force; }
+  double spring(const scene::ContactLaw &law, const double d) const { return law.stiffness * d; }
 
   void book(const scene::ContactLaw &,
             const TouchState &,

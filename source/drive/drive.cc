@@ -251,7 +251,13 @@ void set_stiffnesses(const Parameters &parameters, const StiffnessOf &stiffness_
   const PartStiffness parts = stiffness_of ? stiffness_of(d, d.reference_load) :
                                              estimated_stiffness(d.chain, d.reference_load, steel);
   append(d.notes, parts.notes);
-  d.holes                  = parts.holes;
+  d.holes = parts.holes;
+  if (!given.stiffness_per_pitch)
+    d.curves.per_pitch = parts.curves.per_pitch;
+  if (!contact.roller_bush_stiffness)
+    d.curves.roller_bush = parts.curves.roller_bush;
+  if (!contact.roller_tooth_stiffness)
+    d.curves.roller_tooth = parts.curves.roller_tooth;
   d.stiffness_per_pitch    = given.stiffness_per_pitch.value_or(parts.per_pitch);
   d.roller_bush_stiffness  = contact.roller_bush_stiffness.value_or(parts.roller_bush);
   d.roller_tooth_stiffness = contact.roller_tooth_stiffness.value_or(

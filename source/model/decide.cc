@@ -387,6 +387,30 @@ Decision oval_rollers(const Parameters &p, const Decision &planar)
           planar.on ? switched(Switch::on, "Effects") : "not planar: " + planar.reason};
 }
 
+Decision stiffness_curves(const Parameters &p, const Decision &planar)
+{
+  constexpr Effect effect = Effect::stiffness_curves;
+  const auto       off    = [](const std::string &why) { return Decision{effect, false, why}; };
+  if (is_elastic(p))
+    return off("elastic bodies deflect themselves");
+  if (!p.model.capabilities().has_clearances)
+    return off("fidelity " + p.model.fidelity + ": a roller is one lump with its links");
+  if (p.effects.stiffness_curves != Switch::on)
+    return off(p.effects.stiffness_curves == Switch::off ?
+                   switched(Switch::off, "Effects") :
+                   "auto: stiffnesses are those at the tension required by the load");
+  if (p.model.stiffness_from == parameters::StiffnessFrom::dimensions)
+    return off("Model/Stiffness from = dimensions knows no curves");
+  if (p.model.stiffness_per_pitch && p.contact.roller_tooth_stiffness &&
+      (p.contact.roller_bush_stiffness || !has_rollers(p)))
+    return off("all stiffnesses are given");
+  if (p.contact.oil_viscosity > 0. && p.effects.oil_film != Switch::off)
+    return off("oil films stand on contacts of one stiffness");
+  return {effect,
+          planar.on,
+          planar.on ? switched(Switch::on, "Effects") : "not planar: " + planar.reason};
+}
+
 Decision yielding_shafts(const Parameters &p)
 {
   std::string which;
@@ -564,6 +588,7 @@ Effects decide_effects(const Parameters &p)
               symmetry_model(p, links.on, rollers.on, faces.on, pictures.on),
               planar,
               oval_rollers(p, planar),
+              stiffness_curves(p, planar),
               yielding_shafts(p),
               pictures,
               stress_recovery(p, links.on, rollers.on, pictures.on),

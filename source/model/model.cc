@@ -95,7 +95,8 @@ std::optional<PartStiffnesses> part_stiffnesses(const Parameters &p, const Effec
   return PartStiffnesses{!p.model.stiffness_per_pitch,
                          !p.contact.roller_tooth_stiffness ||
                              (!p.contact.roller_bush_stiffness && has_clearances),
-                         teeth_are_compliant(p, effects)};
+                         teeth_are_compliant(p, effects),
+                         effects.is_on(Effect::stiffness_curves)};
 }
 
 Model make_model(const Parameters &p, const drive::Drive &drive, const Effects &effects)

@@ -10,7 +10,8 @@ std::vector<std::string> against_planar_motion(const Parameters &p, const Effect
   std::vector<std::string> sentences;
   for (const auto &[effect, choice, entry] :
        {std::tuple{Effect::planar_motion, p.effects.planar_motion, "Planar motion"},
-        {Effect::oval_rollers, p.effects.oval_rollers, "Oval rollers"}})
+        {Effect::oval_rollers, p.effects.oval_rollers, "Oval rollers"},
+        {Effect::stiffness_curves, p.effects.stiffness_curves, "Stiffness curves"}})
     if (const Decision &decision = effects.of(effect);
         choice == parameters::Switch::on && !decision.on)
       sentences.push_back(std::string("Effects/") + entry +

@@ -98,6 +98,15 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
       "both sides of their wall at the same place: a mass and a spring for each of the two modes "
       "of the ring with two waves, as large as dimensions make them. It needs planar motion. "
       "auto: off. on: what doc/accuracy-and-cost.md says of it.");
+  effect(
+      "Stiffness curves",
+      stiffness_curves,
+      "Stiffnesses of layered fidelity that are auto follow from the elastic parts "
+      "(Model/Stiffness "
+      "from = parts) at every load, and that of roller and tooth at every place, too: teeth are "
+      "softer above the bottom of the gap. It needs planar motion and no oil film. auto: off, each "
+      "is one number, force over approach at the tension required by the load and at the bottom of "
+      "the gap. on: what doc/accuracy-and-cost.md says of it.");
 }
 
 namespace

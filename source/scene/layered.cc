@@ -55,6 +55,11 @@ void add_rigid_joints(const model::Model &model, const drive::Drive &drive, Scen
                            reduced_mass(roller_mass, inner_mass),
                            model.contact.roller_bush_friction)
                       .shared_by(2);
+  if (model.effects.is_on(Effect::stiffness_curves))
+    {
+      rollers.curve = drive.curves.roller_bush;
+      pins.curve    = drive.curves.per_pitch;
+    }
   pins.law = make_law(model.contact,
                       pin_stiffness,
                       reduced_mass(inner_mass, outer_mass),

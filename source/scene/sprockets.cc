@@ -283,10 +283,11 @@ std::vector<mesh::Surface> sides_on_teeth(const drive::ChainDimensions &chain)
   return {mesh::bush_outside_first, mesh::bush_outside_second};
 }
 
-/// The family of the other rollers, which touch at points of their axes; @p stiffness is that of a
-/// roller, N/m.
+/// The family of the other rollers, which touch at points of their axes, on sprocket number
+/// @p sprocket; @p stiffness is that of a roller, N/m.
 ToothFamily with_rigid_rollers(const model::Model &model,
                                const drive::Drive &drive,
+                               const unsigned int  sprocket,
                                const double        stiffness,
                                const double        friction,
                                const Scene        &scene,
@@ -302,6 +303,8 @@ ToothFamily with_rigid_rollers(const model::Model &model,
   ToothFamily teeth = flanks;
   teeth.law = make_law(model.contact, stiffness, felt_mass_of_roller(scene, roller.mass), friction)
                   .shared_by(roller.motion == Motion::lumped ? 1 : 2);
+  if (model.effects.is_on(Effect::stiffness_curves) && sprocket < drive.curves.roller_tooth.size())
+    teeth.curve = drive.curves.roller_tooth[sprocket];
   for (unsigned int k = 0; k < scene.drive.n_joints; ++k)
     for (const double z : positions)
       if (const unsigned int number = scene.drive.rollers[k]; !deforms(scene.bodies[number].motion))
@@ -407,6 +410,7 @@ void add_sprockets(const model::Model             &model,
         scene.teeth.push_back(
             with_rigid_rollers(model,
                                drive,
+                               i,
                                sprocket.form.flat ? sprocket.flat_stiffness : stiffness,
                                friction_on(model, sprocket),
                                scene,

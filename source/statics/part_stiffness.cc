@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/statics/part_stiffness.h>
 #include <chaindrive/statics/pieces.h>
+#include <chaindrive/statics/stiffness_curves.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
@@ -116,8 +117,13 @@ drive::PartStiffness compute(const model::PartStiffnesses &wanted,
             load);
         result.teeth.push_back(rounded(load / pressed.given_way.back()));
       }
+  std::string of_curves;
+  if (wanted.curves)
+    result.curves = stiffness_curves(library, drive, load, of_curves);
   if (!library.entries().empty())
     result.notes.push_back(origin(library, load));
+  if (!of_curves.empty())
+    result.notes.push_back(of_curves);
   result.holes = holes_of(library, drive.chain, result.notes);
   for (const std::string &note : library.notes())
     result.notes.push_back(note);

@@ -192,6 +192,12 @@ struct GivenForce
 
   CHAINDRIVE_ALWAYS_INLINE Number penetration() const { return force; }
 
+  CHAINDRIVE_ALWAYS_INLINE Number spring(const scene::ContactLawOf<Number> &law,
+                                         const Number                       d) const
+  {
+    return law.stiffness * d;
+  }
+
   template <int n_tangents>
   CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number> &,
                                      const TouchStateOf<Number, n_tangents> &,

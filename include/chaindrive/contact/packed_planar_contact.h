@@ -5,6 +5,7 @@
 // are those of Bore, drive::ToothForm::closest_point() and World::velocity_at() in two components,
 // and the law is update_touch().
 
+#include <chaindrive/contact/packed_profile.h>
 #include <chaindrive/contact/penalty.h>
 #include <chaindrive/contact/planar_contact_kernels.h>
 
@@ -29,6 +30,13 @@ struct PlanarBody
   {
     return (x[0] - position[0]) * f[1] - (x[1] - position[1]) * f[0];
   }
+};
+
+/// Springs that are not the law's, here and where they were a step ago.
+template <typename P>
+struct SpringNow
+{
+  CurvedSpring<P> here, before;
 };
 
 /// The law in the plane, with what all lanes share.
@@ -59,9 +67,9 @@ struct PlanarLaw
   }
 
   /// Evaluates the pairs from @p place on, whose gaps are @p gap, the normals @p normal and the
-  /// slaves' axes @p centre; @p own_rate is what gaps change by beside the motion of the bodies.
-  /// Returns false if none touches and none did; else @p force is that on
-  /// the slaves at @p point.
+  /// slaves' axes @p centre; @p own_rate is what gaps change by beside the motion of the bodies,
+  /// @p spring that which is not the law's. Returns false if none touches and none did; else
+  /// @p force is that on the slaves at @p point.
   CHAINDRIVE_ALWAYS_INLINE bool press(const unsigned int place,
                                       const P           &gap,
                                       const P (&normal)[2],
@@ -70,7 +78,8 @@ struct PlanarLaw
                                       const PlanarBody<P> &master,
                                       P (&point)[2],
                                       P (&force)[2],
-                                      const P *own_rate = nullptr)
+                                      const P            *own_rate = nullptr,
+                                      const SpringNow<P> *spring   = nullptr)
   {
     const P zero(0.);
     gap.store(of(planar_touch_gap, place));
@@ -96,8 +105,17 @@ struct PlanarLaw
     const auto touching = [&](const P &a) { return if_less(gap, zero, a, zero); };
     const P    rate     = touching(speed);
     const P    slip[1]  = {touching(relative[1] * normal[0] - relative[0] * normal[1])};
-    update_touch(
-        law, PointApproach<P>{least(gap, zero), rate}, slip, dt, friction, state, energies);
+    if (spring != nullptr)
+      update_touch(law,
+                   CurvedApproach<P>{least(gap, zero), rate, spring->here, spring->before},
+                   slip,
+                   dt,
+                   friction,
+                   state,
+                   energies);
+    else
+      update_touch(
+          law, PointApproach<P>{least(gap, zero), rate}, slip, dt, friction, state, energies);
 
     state.penetration.store(of(planar_touch_penetration, place));
     state.normal.store(of(planar_touch_normal, place));
@@ -192,7 +210,47 @@ CHAINDRIVE_ALWAYS_INLINE P sideways(const P &slope, const P &turn)
   return greatest(P(-1.), least(P(1.), slope * turn));
 }
 
-template <int width, bool ovals>
+/// The spring whose tangent stiffness is @p first at its first touch and @p last from @p depth on.
+template <typename P>
+CHAINDRIVE_ALWAYS_INLINE CurvedSpring<P>
+                         spring_of(const P &first, const P &last, const double depth)
+{
+  return {first, (last - first) * P(0.5 / depth), P(depth)};
+}
+
+/// Teeth over the height at which a roller touches them.
+template <int width>
+struct SpringOnTeeth
+{
+  using P = Pack<double, width>;
+
+  /// The point of contact is @p height [m] from the sprocket's axis, along the middle of the gap.
+  CHAINDRIVE_ALWAYS_INLINE SpringOnTeeth(const drive::StiffnessCurve &curve, const P &height)
+  {
+    const P    zero(0.), end(curve.end), x = (height - P(curve.bottom)) * P(1. / curve.unit);
+    const P    place = least(greatest(x, zero), end);
+    const auto value = [&place](const double(&c)[3]) {
+      return P(c[0]) + place * (P(c[1]) + place * P(c[2]));
+    };
+    const auto slope = [&](const double(&c)[3]) {
+      const P along = P(c[1] / curve.unit) + place * P(2. * c[2] / curve.unit);
+      return if_less(zero, x, if_less(x, end, along, zero), zero);
+    };
+    here    = spring_of(value(curve.first), value(curve.last), curve.depth);
+    upwards = spring_of(slope(curve.first), slope(curve.last), curve.depth);
+  }
+
+  /// This, and what it was where the contact was lower by @p rise [m].
+  CHAINDRIVE_ALWAYS_INLINE SpringNow<P> now(const P &rise) const
+  {
+    return {here,
+            {here.first - rise * upwards.first, here.growth - rise * upwards.growth, here.depth}};
+  }
+
+  CurvedSpring<P> here, upwards; ///< the second is the derivative of the first over the height
+};
+
+template <int width, bool ovals, bool curved>
 void press_bores_of(PlanarSlots           bodies,
                     const PlanarContacts &contacts,
                     const PlanarRun      &run,
@@ -200,6 +258,11 @@ void press_bores_of(PlanarSlots           bodies,
 {
   using P = Pack<double, width>;
   PlanarLaw<width> law(contacts);
+  SpringNow<P>     spring;
+  if (curved)
+    spring.here = spring.before =
+        spring_of(P(contacts.curve->first[0]), P(contacts.curve->last[0]), contacts.curve->depth);
+  const SpringNow<P> *const by = curved ? &spring : nullptr;
   for (unsigned int i = 0; i < run.n; i += width)
     {
       PlanarBody<P> master, slave;
@@ -225,7 +288,7 @@ void press_bores_of(PlanarSlots           bodies,
           const OvalAt<width> at(normal, oval, rate);
           const P             share(contacts.oval), wider = share * at.outwards_rate;
           gap += share * at.outwards;
-          if (!law.press(place, gap, normal, centre, slave, master, point, force, &wider))
+          if (!law.press(place, gap, normal, centre, slave, master, point, force, &wider, by))
             continue;
           const P pressed = share * (force[0] * normal[0] + force[1] * normal[1]);
           add_to<width>(bodies.of(planar_ring_force) + run.master + i, pressed * at.cosine);
@@ -235,7 +298,7 @@ void press_bores_of(PlanarSlots           bodies,
           aside[0]      = P(0.) - along * normal[1];
           aside[1]      = along * normal[0];
         }
-      else if (!law.press(place, gap, normal, centre, slave, master, point, force))
+      else if (!law.press(place, gap, normal, centre, slave, master, point, force, nullptr, by))
         continue;
       const P opposite[2] = {P(0.) - force[0], P(0.) - force[1]};
       for (unsigned int d = 0; d < 2; ++d)
@@ -264,159 +327,15 @@ void press_bores(PlanarSlots           bodies,
                  const PlanarRun      &run,
                  PlanarEnergies       &energies)
 {
-  if (contacts.oval != 0.)
-    press_bores_of<width, true>(bodies, contacts, run, energies);
-  else
-    press_bores_of<width, false>(bodies, contacts, run, energies);
+  const auto press = contacts.oval != 0. ?
+                         (contacts.curve != nullptr ? &press_bores_of<width, true, true> :
+                                                      &press_bores_of<width, true, false>) :
+                         (contacts.curve != nullptr ? &press_bores_of<width, false, true> :
+                                                      &press_bores_of<width, false, false>);
+  press(bodies, contacts, run, energies);
 }
 
-/// The numbers of an array at the places stride * @p slots + @p first.
-template <int width, unsigned int stride = 1>
-CHAINDRIVE_ALWAYS_INLINE Pack<double, width>
-gather_slots(const double *from, const unsigned int *slots, const unsigned int first = 0)
-{
-  const double *at[width];
-  for (int i = 0; i < width; ++i)
-    at[i] = from + stride * slots[i];
-  return gather<double, width>(at, first);
-}
-
-/// Nearest points of a profile, for a pack of points.
-template <int width>
-struct NearestOnProfile
-{
-  using P = Pack<double, width>;
-
-  P distance;                   ///< not signed, m
-  P signed_distance, normal[2]; ///< where it is between the ends of a segment
-  P which; ///< 0: between the ends of a segment; 2 i + 1 or 2 i + 2: the begin or end of segment i
-  P turn;  ///< how the normal turns along the tangent, 1/m
-};
-
-template <int width>
-CHAINDRIVE_ALWAYS_INLINE NearestOnProfile<width>
-nearest_on_profile(const PlanarTeeth &teeth, const Pack<double, width> (&p)[2])
-{
-  using P = Pack<double, width>;
-  NearestOnProfile<width> best;
-  const P                 zero(0.);
-  best.distance        = P(1e300);
-  best.signed_distance = best.normal[0] = best.normal[1] = best.which = zero;
-  P curved(0.);           // 1: an arc
-  P length(1.), sign(1.); // what normals are still to be divided by and multiplied with
-  for (unsigned int i = 0; i < teeth.n_segments; ++i)
-    {
-      const PlanarSegment &s             = teeth.segments[i];
-      const P              from_begin[2] = {p[0] - P(s.begin[0]), p[1] - P(s.begin[1])},
-              from_end[2]                = {p[0] - P(s.end[0]), p[1] - P(s.end[1])};
-      const P begin = from_begin[0] * from_begin[0] + from_begin[1] * from_begin[1],
-              end   = from_end[0] * from_end[0] + from_end[1] * from_end[1];
-      P signed_distance, normal[2], norm(1.), inside; // inside: not negative between the ends
-      if (s.kind == 0)
-        {
-          const double d[2]   = {s.end[0] - s.begin[0], s.end[1] - s.begin[1]};
-          const double square = d[0] * d[0] + d[1] * d[1], one = 1. / __builtin_sqrt(square);
-          const P      along = from_begin[0] * P(d[0]) + from_begin[1] * P(d[1]);
-          inside             = least(along, P(square) - along);
-          normal[0]          = P(d[1] * one);
-          normal[1]          = P(-d[0] * one);
-          signed_distance    = from_begin[0] * normal[0] + from_begin[1] * normal[1];
-        }
-      else
-        {
-          const P w[2]    = {p[0] - P(s.centre[0]), p[1] - P(s.centre[1])};
-          norm            = square_root(w[0] * w[0] + w[1] * w[1]);
-          inside          = w[0] * P(s.middle[0]) + w[1] * P(s.middle[1]) - norm * P(s.half_cosine);
-          normal[0]       = w[0];
-          normal[1]       = w[1];
-          signed_distance = P(double(s.kind)) * (norm - P(s.radius));
-        }
-      const P to_end = square_root(least(begin, end));
-      const P distance =
-          if_less(zero, inside, greatest(signed_distance, zero - signed_distance), to_end);
-      const P which = if_less(
-          zero, inside, zero, if_less(begin, end, P(double(2 * i + 1)), P(double(2 * i + 2))));
-      const auto keep_nearer = [&](P &to, const P &what) {
-        to = if_less(distance, best.distance, what, to);
-      };
-      keep_nearer(best.signed_distance, signed_distance);
-      keep_nearer(best.normal[0], normal[0]);
-      keep_nearer(best.normal[1], normal[1]);
-      keep_nearer(best.which, which);
-      keep_nearer(length, norm);
-      keep_nearer(sign, P(s.kind == 0 ? 1. : double(s.kind)));
-      keep_nearer(curved, P(s.kind == 0 ? 0. : 1.));
-      best.distance = least(distance, best.distance);
-    }
-  const P outward = sign / greatest(length, P(1e-300));
-  best.turn       = if_less(P(0.), curved, outward, P(0.));
-  for (P &component : best.normal)
-    component = component * outward;
-  return best;
-}
-
-/// Signed distance and normal of the point @p p, whose nearest point is the end @p which of the
-/// profile, as in NearestOnProfile.
-CHAINDRIVE_ALWAYS_INLINE double end_of_profile(const PlanarTeeth &teeth,
-                                               const unsigned int which,
-                                               const double (&p)[2],
-                                               const double distance,
-                                               double (&normal)[2])
-{
-  const PlanarSegment &s   = teeth.segments[(which - 1) / 2];
-  const unsigned int   end = (which - 1) % 2;
-  const double        *at = end == 0 ? s.begin : s.end, *n = s.end_normal[end];
-  const double         away[2] = {p[0] - at[0], p[1] - at[1]};
-  double               result  = distance;
-  if (s.corner[end] < 0 || (s.corner[end] == 0 && away[0] * n[0] + away[1] * n[1] < 0.))
-    result = -distance;
-  const bool turns = s.corner[end] != 0 && result != 0.;
-  normal[0]        = turns ? away[0] / result : n[0];
-  normal[1]        = turns ? away[1] / result : n[1];
-  return result;
-}
-
-/// Folds points @p p in the sprocket's frame into the sector of half a gap with half a tooth:
-/// @p folded; @p turn becomes cosine and sine of the gap's angle, @p side the sign of the mirror.
-template <int width>
-CHAINDRIVE_ALWAYS_INLINE void fold(const PlanarTeeth &teeth,
-                                   unsigned int      *gap,
-                                   const Pack<double, width> (&p)[2],
-                                   Pack<double, width> (&folded)[2],
-                                   Pack<double, width> (&turn)[2],
-                                   Pack<double, width> &side)
-{
-  using P = Pack<double, width>;
-  const P    zero(0.), flat(1. + teeth.turns[2]), steep(teeth.turns[3]);
-  P          y;
-  const auto unturn = [&](const double *angles) {
-    turn[0]   = gather_slots<width, 2>(angles, gap);
-    turn[1]   = gather_slots<width, 2>(angles, gap, 1);
-    folded[0] = turn[0] * p[0] + turn[1] * p[1];
-    y         = turn[0] * p[1] - turn[1] * p[0];
-  };
-  for (unsigned int tries = 0; tries <= teeth.n_teeth; ++tries)
-    {
-      unturn(teeth.turns);
-      // the middle of the tooth is where y / x = tan(pi / z)
-      const P beyond = greatest(y, zero - y) * flat - folded[0] * steep;
-      if (!any_less(zero, beyond))
-        break;
-      for (int i = 0; i < width; ++i)
-        if (beyond[i] > 0.)
-          {
-            const unsigned int last = teeth.n_teeth - 1;
-            gap[i] =
-                y[i] < 0. ? (gap[i] == 0 ? last : gap[i] - 1) : (gap[i] == last ? 0 : gap[i] + 1);
-          }
-    }
-  if (teeth.shifted != nullptr)
-    unturn(teeth.shifted);
-  side      = if_less(y, zero, P(-1.), P(1.));
-  folded[1] = side * y;
-}
-
-template <int width, bool ovals>
+template <int width, bool ovals, bool curved>
 void press_teeth_of(PlanarSlots           bodies,
                     const PlanarContacts &contacts,
                     PlanarTeeth          &teeth,
@@ -457,7 +376,7 @@ void press_teeth_of(PlanarSlots           bodies,
                        end_of_profile(teeth, which, at, nearest.distance[i], normal));
               set_lane(nearest.normal[0], i, normal[0]);
               set_lane(nearest.normal[1], i, normal[1]);
-              if (ovals) // about a corner the normal turns with the roller
+              if (ovals || curved) // about a corner the normal turns with the roller
                 set_lane(nearest.turn,
                          i,
                          teeth.segments[(which - 1) / 2].corner[(which - 1) % 2] == 0 ||
@@ -475,7 +394,26 @@ void press_teeth_of(PlanarSlots           bodies,
       for (unsigned int d = 0; d < 2; ++d)
         roller.velocity[d] = gather_slots<width>(bodies.of(planar_velocity + d), slots);
       roller.spin = gather_slots<width>(bodies.of(planar_spin), slots);
-      P point[2], force[2];
+      SpringNow<P>    spring;
+      CurvedSpring<P> upwards;
+      P               climbs; // of the height of the contact, as the roller moves along the tangent
+      if (curved)
+        {
+          // The contact moves as far as the roller on a line, less on convex arcs, not at all about
+          // corners. In the sector the tangent is (-n_y, n_x).
+          climbs =
+              P(0.) - nearest.normal[1] * side * (P(1.) - nearest.signed_distance * nearest.turn);
+          const SpringOnTeeth<width> at(*contacts.curve,
+                                        p[0] - nearest.normal[0] * nearest.signed_distance);
+          P                          below[2];
+          sprocket.velocity_at(roller.position, law.earlier, below);
+          const P along = (roller.velocity[1] - below[1]) * normal[0] -
+                          (roller.velocity[0] - below[0]) * normal[1];
+          spring  = at.now(climbs * along * law.dt);
+          upwards = at.upwards;
+        }
+      const SpringNow<P> *const by = curved ? &spring : nullptr;
+      P                         point[2], force[2];
       if (ovals)
         {
           P oval[2], rate[2];
@@ -488,7 +426,7 @@ void press_teeth_of(PlanarSlots           bodies,
           const P             closer = P(0.) - at.outwards_rate;
           gap                        = gap - at.outwards;
           if (!law.press(
-                  place, gap, normal, roller.position, roller, sprocket, point, force, &closer))
+                  place, gap, normal, roller.position, roller, sprocket, point, force, &closer, by))
             continue;
           const P pressed = force[0] * normal[0] + force[1] * normal[1];
           const P along   = pressed * sideways(at.slope, nearest.turn);
@@ -507,8 +445,31 @@ void press_teeth_of(PlanarSlots           bodies,
           // the normal turns with the sprocket, too
           moment -= sprocket.moment_of(roller.position, aside) + pressed * at.slope;
         }
-      else if (!law.press(place, gap, normal, roller.position, roller, sprocket, point, force))
+      else if (!law.press(place,
+                          gap,
+                          normal,
+                          roller.position,
+                          roller,
+                          sprocket,
+                          point,
+                          force,
+                          nullptr,
+                          by))
         continue;
+      if (curved)
+        {
+          // teeth that are softer higher up push the roller there: the force of the same potential
+          const P along    = upwards.energy(greatest(P(0.), P(0.) - gap)) * climbs;
+          const P aside[2] = {along * normal[1], P(0.) - along * normal[0]};
+          for (int i = 0; i < width; ++i)
+            {
+              bodies.of(planar_force)[slots[i]] += aside[0][i];
+              bodies.of(planar_force + 1)[slots[i]] += aside[1][i];
+            }
+          on_sprocket[0] -= aside[0];
+          on_sprocket[1] -= aside[1];
+          moment -= sprocket.moment_of(roller.position, aside);
+        }
       const P on_roller = roller.moment_of(point, force);
       for (int i = 0; i < width; ++i)
         {
@@ -536,10 +497,12 @@ void press_teeth(PlanarSlots           bodies,
                  PlanarTeeth          &teeth,
                  PlanarEnergies       &energies)
 {
-  if (contacts.oval != 0.)
-    press_teeth_of<width, true>(bodies, contacts, teeth, energies);
-  else
-    press_teeth_of<width, false>(bodies, contacts, teeth, energies);
+  const auto press = contacts.oval != 0. ?
+                         (contacts.curve != nullptr ? &press_teeth_of<width, true, true> :
+                                                      &press_teeth_of<width, true, false>) :
+                         (contacts.curve != nullptr ? &press_teeth_of<width, false, true> :
+                                                      &press_teeth_of<width, false, false>);
+  press(bodies, contacts, teeth, energies);
 }
 
 template <int width>

@@ -31,8 +31,8 @@ struct ContactEnergies
 };
 
 // An approach says how deep and how fast the surfaces come together, and what the normal force
-// stores and loses. There are two: of a point by itself, and of a node that stands for the surface
-// about it.
+// stores and loses. There are three: of a point by itself, of one whose spring gets stiffer, and of
+// a node that stands for the surface about it.
 
 /// The approach of a point by itself: its penetration is d = max(0, -g), its spring holds k d^2 /
 /// 2.
@@ -45,6 +45,13 @@ struct PointApproach
   CHAINDRIVE_ALWAYS_INLINE Number penetration() const
   {
     return greatest(Number(0.), Number(0.) - gap);
+  }
+
+  /// What the spring bears at the penetration @p d [m], N.
+  CHAINDRIVE_ALWAYS_INLINE Number spring(const scene::ContactLawOf<Number> &law,
+                                         const Number                       d) const
+  {
+    return law.stiffness * d;
   }
 
   /// The work of the normal force over the step, by the trapezoidal rule, is stored in the spring
@@ -69,6 +76,67 @@ struct PointApproach
   }
 };
 
+/// The spring of drive::StiffnessCurve at one place.
+template <typename Number>
+struct CurvedSpring
+{
+  Number first;  ///< N/m
+  Number growth; ///< half of that of the tangent stiffness up to the depth, N/m2
+  Number depth;  ///< m
+
+  CHAINDRIVE_ALWAYS_INLINE Number force(const Number d) const
+  {
+    const Number beyond = greatest(Number(0.), d - depth);
+    return first * d + growth * (d * d - beyond * beyond);
+  }
+
+  /// What it stores, J.
+  CHAINDRIVE_ALWAYS_INLINE Number energy(const Number d) const
+  {
+    const Number beyond = greatest(Number(0.), d - depth);
+    return Number(0.5) * first * d * d +
+           Number(1. / 3.) * growth * (d * d * d - beyond * beyond * beyond);
+  }
+};
+
+/// The approach of a point by itself on a curved spring, in whose place that of the law is not
+/// there.
+template <typename Number>
+struct CurvedApproach
+{
+  Number               gap;           ///< g, negative when the surfaces overlap, m
+  Number               rate;          ///< g', m/s
+  CurvedSpring<Number> curve, before; ///< now, and where the contact was at the last evaluation
+
+  CHAINDRIVE_ALWAYS_INLINE Number penetration() const
+  {
+    return greatest(Number(0.), Number(0.) - gap);
+  }
+
+  CHAINDRIVE_ALWAYS_INLINE Number spring(const scene::ContactLawOf<Number> &, const Number d) const
+  {
+    return curve.force(d);
+  }
+
+  /// As of PointApproach. The work of the spring by the trapezoidal rule is what it stores but for
+  /// the third power of the step, of either sign.
+  template <int n_tangents>
+  CHAINDRIVE_ALWAYS_INLINE void book(const scene::ContactLawOf<Number> &,
+                                     const TouchStateOf<Number, n_tangents> &before,
+                                     const TouchStateOf<Number, n_tangents> &now,
+                                     const Number                            dt,
+                                     ContactEnergies<Number>                &energies) const
+  {
+    const Number springs = this->before.force(before.penetration) + curve.force(now.penetration);
+    const Number closing = if_less(Number(0.),
+                                   before.penetration,
+                                   now.penetration - before.penetration,
+                                   Number(0.) - rate * dt);
+    energies.stored += curve.energy(now.penetration);
+    energies.damping_loss += Number(0.5) * (before.normal + now.normal - springs) * closing;
+  }
+};
+
 /// The approach of a node: its penetration is the mean of that of the surface about it, of which it
 /// has a share also when only its neighbour overlaps. Nodes share the energy of the springs between
 /// them as k d (-g) / 2, which for a point by itself is its own k d^2 / 2.
@@ -81,6 +149,12 @@ struct NodeApproach
   Number closing;          ///< by how much the surfaces have come closer over the step, m
 
   CHAINDRIVE_ALWAYS_INLINE Number penetration() const { return mean_penetration; }
+
+  CHAINDRIVE_ALWAYS_INLINE Number spring(const scene::ContactLawOf<Number> &law,
+                                         const Number                       d) const
+  {
+    return law.stiffness * d;
+  }
 
   /// What the normal force is more than that of the spring is the dashpot's, whose work over the
   /// step is lost.
@@ -113,7 +187,8 @@ CHAINDRIVE_ALWAYS_INLINE Number length(const Number (&v)[1])
 
 /// Penalty force with damping and Coulomb friction at one instant.
 ///
-///   N = max(0, k d - c g')   where d > 0              linear spring and dashpot (Kelvin-Voigt)
+///   N = max(0, k d - c g')   where d > 0              linear spring and dashpot (Kelvin-Voigt),
+///                                                     or a curved spring in place of k d
 ///   |k_t s| <= mu N                                   return mapping of the elastic slip s
 ///   T = - k_t s - c_t s',    |T| <= mu N              and then of the force: the dashpot takes
 ///                                                     what the spring leaves of the limit
@@ -145,7 +220,7 @@ CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &la
   touch.normal =
       if_less(zero,
               touch.penetration,
-              greatest(zero, law.stiffness * touch.penetration - law.damping * approach.rate),
+              greatest(zero, approach.spring(law, touch.penetration) - law.damping * approach.rate),
               zero);
   approach.book(law, before, touch, dt, energies);
   if (!with_friction)

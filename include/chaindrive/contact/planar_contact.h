@@ -7,6 +7,7 @@
 #include <deal.II/base/aligned_vector.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace chaindrive::contact
@@ -27,9 +28,11 @@ public:
   const std::vector<Press> &presses() const override;
 
 protected:
-  /// @p family is a scene::SurfaceFamily or a scene::BoreFamily.
+  /// @p family is a scene::SurfaceFamily or a scene::BoreFamily; @p curve see PlanarContacts.
   template <typename SceneFamily>
-  PlanarContact(const SceneFamily &family, const World &world);
+  PlanarContact(const SceneFamily                          &family,
+                const World                                &world,
+                const std::optional<drive::StiffnessCurve> &curve);
 
   /// Makes places for contacts, of which each begins with pair @p first, and has the next ones up
   /// to multiplicity() as well; none: a place without a contact. They take over what the pairs
@@ -62,9 +65,10 @@ protected:
 
   static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
-  const PlanarContactKernels &kernels_;
-  const double                oval_;       ///< see PlanarContacts
-  std::vector<unsigned int>   first_pair_; ///< of each place, or none
+  const PlanarContactKernels                &kernels_;
+  const double                               oval_;       ///< see PlanarContacts
+  const std::optional<drive::StiffnessCurve> curve_;      ///< likewise
+  std::vector<unsigned int>                  first_pair_; ///< of each place, or none
 
 private:
   double       *of(const unsigned int entry) { return touch_.begin() + entry * n_places(); }

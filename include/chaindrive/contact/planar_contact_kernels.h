@@ -5,6 +5,7 @@
 // (see utilities/pack.h).
 
 #include <chaindrive/bodies/planar_kernels.h>
+#include <chaindrive/drive/stiffness_curve.h>
 #include <chaindrive/scene/contact_law.h>
 #include <chaindrive/utilities/pack.h>
 
@@ -43,6 +44,7 @@ struct PlanarContacts
   double            dt;     ///< since the last evaluation, s
   double            oval; ///< how much of the oval of a roller (drive::RollerRing) the touched side
                           ///< of it has: 1 outside, RollerRing::bore in the bore; 0: none
+  const drive::StiffnessCurve *curve; ///< of all points of a pair together; null: the law's spring
 };
 
 /// A run of cylinders in bores: the pair at place first_place + i is the bore of the body in slot

@@ -23,6 +23,9 @@ public:
   void add_springs(const World &world, std::vector<Spring> &springs) const override;
   void serialize(const Archive &archive, unsigned int rank) override;
 
+protected:
+  double closed_stiffness_; ///< the largest tangent stiffness of a pair, N/m
+
 private:
   PointContact(const std::string        &name,
                const scene::InterfaceOf &interface,

@@ -43,9 +43,10 @@ struct Drive
   double stiffness_per_pitch;    ///< of the chain, given or auto, N/m
   double roller_tooth_stiffness; ///< of the contact, given or auto: up to the roller's centre where
                                  ///< rollers are bodies of their own, else up to the link's, N/m
-  double                     roller_bush_stiffness; ///< of the contact, given or auto, N/m
-  double                     reference_load;        ///< at which those are taken that are auto, N
-  std::optional<HoleFactors> holes;                 ///< of plates that are solved
+  double          roller_bush_stiffness; ///< of the contact, given or auto, N/m
+  double          reference_load;        ///< at which those are taken that are auto, N
+  StiffnessCurves curves;           ///< of those that are auto, if they are wanted, instead of them
+  std::optional<HoleFactors> holes; ///< of plates that are solved
   double nominal_tension; ///< of the tight span: sum of resisting torque / pitch radius, N
 
   std::vector<std::string> notes; ///< sentences for the log: choices made and values derived

@@ -3,6 +3,7 @@
 
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/plate.h>
+#include <chaindrive/drive/stiffness_curve.h>
 #include <chaindrive/material/material.h>
 
 #include <cmath>
@@ -19,6 +20,13 @@ struct HoleFactors
   double inner, outer;
 };
 
+/// Over load and place, of the pairs of parts where that has been found.
+struct StiffnessCurves
+{
+  std::optional<StiffnessCurve>              per_pitch, roller_bush;
+  std::vector<std::optional<StiffnessCurve>> roller_tooth; ///< of each sprocket, or empty
+};
+
 /// What `auto` stands for: how the parts of a chain deflect, N/m, as force over approach.
 struct PartStiffness
 {
@@ -31,6 +39,8 @@ struct PartStiffness
   std::optional<HoleFactors> holes; ///< where plates are solved
 
   std::vector<std::string> notes; ///< sentences for the log: where the values come from
+
+  StiffnessCurves curves = {}; ///< where they are wanted: instead of the first three
 
   /// Of a sprocket's hub and the link: of a roller pressed between them.
   double pressed_roller() const

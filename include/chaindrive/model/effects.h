@@ -36,6 +36,7 @@ enum class Effect
   symmetry_model,
   planar_motion,
   oval_rollers,
+  stiffness_curves, ///< contacts of rigid rollers and joints over load and place
   yielding_shafts,
   fields,
   stress_recovery,
@@ -46,7 +47,7 @@ enum class Effect
 namespace chaindrive::parameters
 {
 template <>
-inline constexpr Texts<model::Effect, 28> texts_of<model::Effect>{
+inline constexpr Texts<model::Effect, 29> texts_of<model::Effect>{
     {{model::Effect::roller_bush_clearance, "roller-bush clearance"},
      {model::Effect::bush_pin_clearance, "bush-pin clearance"},
      {model::Effect::chain_bars, "chain bars"},
@@ -71,6 +72,7 @@ inline constexpr Texts<model::Effect, 28> texts_of<model::Effect>{
      {model::Effect::symmetry_model, "symmetry model"},
      {model::Effect::planar_motion, "planar motion"},
      {model::Effect::oval_rollers, "oval rollers"},
+     {model::Effect::stiffness_curves, "stiffness curves"},
      {model::Effect::yielding_shafts, "yielding shafts"},
      {model::Effect::fields, "fields"},
      {model::Effect::stress_recovery, "stress recovery"},

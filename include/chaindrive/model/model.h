@@ -107,9 +107,10 @@ Meshes meshes_of(const Parameters &parameters, const Effects &effects);
 /// that something deflects by.
 struct PartStiffnesses
 {
-  bool per_pitch; ///< of the chain
-  bool rollers;   ///< between teeth and bushes
-  bool teeth;     ///< of rigid sprockets under a roller
+  bool per_pitch;      ///< of the chain
+  bool rollers;        ///< between teeth and bushes
+  bool teeth;          ///< of rigid sprockets under a roller
+  bool curves = false; ///< and the first two over load and place
 };
 
 /// Empty if no solution is asked for: the estimates from dimensions serve. It is decided before

@@ -59,6 +59,7 @@ struct Effects
   Switch planar_motion    = Switch::automatic; ///< automatic: on where nothing leaves the plane
   Switch separate_strands = Switch::automatic; ///< automatic: on where wheels are out of line
   Switch oval_rollers     = Switch::automatic; ///< automatic: off
+  Switch stiffness_curves = Switch::automatic; ///< automatic: off
 
   /// Declares an entry for each member and for Sprocket::elastic of each of @p sprockets, which
   /// takes every value that is set. The objects must outlive @p declarations.

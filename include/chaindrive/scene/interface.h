@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/drive/stiffness_curve.h>
 #include <chaindrive/parameters/choice.h>
 #include <chaindrive/scene/contact_law.h>
 
@@ -9,6 +10,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -133,6 +135,9 @@ struct BoreFamily
   double       half_angle = right_angle;  ///< up to which nodes touch under the largest forces, rad
   double       largest_force = any_force; ///< N: those
   unsigned int strand        = 0;         ///< see InterfaceOf
+  /// Of rigid bodies in the plane: of all points of a pair together, instead of the law's
+  /// stiffness.
+  std::optional<drive::StiffnessCurve> curve = {};
 };
 
 /// Two elastic bodies whose faces across z may touch round a common axis along z.
@@ -219,6 +224,9 @@ struct ToothFamily
   double largest_force      = any_force; ///< N: those
   unsigned int strand       = 0;         ///< see InterfaceOf
   double       z            = 0.; ///< of the middle plane of these teeth in the sprocket's frame, m
+  /// Of rigid rollers in the plane: of all points of a roller together, instead of the law's
+  /// stiffness.
+  std::optional<drive::StiffnessCurve> curve = {};
 };
 
 /// Slaves that may meet a surface of some body: what needs no chain, such as a block on an incline

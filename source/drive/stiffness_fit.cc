@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/stiffness_fit.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace chaindrive::drive
+{
+namespace
+{
+double at_place(const double (&coefficients)[3], const double place)
+{
+  return coefficients[0] + place * (coefficients[1] + place * coefficients[2]);
+}
+
+/// How much of the force grows from the first to the last stiffness, m.
+double share_of_last(const double depth, const double approach)
+{
+  const double beyond = std::max(0., approach - depth);
+  return (approach * approach - beyond * beyond) / (2. * depth);
+}
+
+/// First and last stiffness of what was @p found, N/m.
+std::array<double, 2> fit_one(const Approaches &found, const double depth)
+{
+  // F = first (d - h) + last h, over the force that was found
+  double a = 0., b = 0., c = 0., p = 0., q = 0.;
+  for (std::size_t i = 0; i < found.force.size(); ++i)
+    {
+      const double h = share_of_last(depth, found.approach[i]),
+                   x = (found.approach[i] - h) / found.force[i], y = h / found.force[i];
+      a += x * x;
+      b += x * y;
+      c += y * y;
+      p += x;
+      q += y;
+    }
+  const double                determinant = a * c - b * b;
+  const std::array<double, 2> fitted      = {
+           {(p * c - q * b) / determinant, (q * a - p * b) / determinant}};
+  if (fitted[0] > 0. && fitted[1] > 0.)
+    return fitted;
+  const double secant = found.force.back() / found.approach.back();
+  return {{secant, secant}};
+}
+
+/// The extreme values of a polynomial from place 0 to @p end.
+std::pair<double, double> extremes(const double (&coefficients)[3], const double end)
+{
+  const double at_end = at_place(coefficients, end);
+  double       least = std::min(coefficients[0], at_end), most = std::max(coefficients[0], at_end);
+  if (coefficients[2] != 0.)
+    if (const double turn = -0.5 * coefficients[1] / coefficients[2]; turn > 0. && turn < end)
+      {
+        least = std::min(least, at_place(coefficients, turn));
+        most  = std::max(most, at_place(coefficients, turn));
+      }
+  return {least, most};
+}
+
+/// The polynomial through @p values at @p places, a line through the first and the last where it
+/// would not be positive.
+void interpolate(const std::vector<double>     &values,
+                 const std::vector<Approaches> &places,
+                 double (&coefficients)[3])
+{
+  const double end = places.back().place;
+  coefficients[0]  = values[0];
+  if (places.size() == 3)
+    {
+      const double middle     = places[1].place;
+      const double from_first = (values[1] - values[0]) / middle,
+                   to_last    = (values[2] - values[1]) / (end - middle);
+      coefficients[2]         = (to_last - from_first) / end;
+      coefficients[1]         = from_first - coefficients[2] * middle;
+      if (extremes(coefficients, end).first > 0.)
+        return;
+    }
+  coefficients[2] = 0.;
+  coefficients[1] = places.size() == 1 ? 0. : (values.back() - values[0]) / end;
+}
+} // namespace
+
+StiffnessCurve fit_stiffness(const std::vector<Approaches> &places)
+{
+  bool good = !places.empty() && places.size() <= 3 && places[0].place == 0.;
+  for (std::size_t i = 1; i < places.size(); ++i)
+    good = good && places[i].place > places[i - 1].place;
+  if (!good)
+    throw std::logic_error("A stiffness curve is fitted at one to three ascending places from 0.");
+  for (const Approaches &found : places)
+    if (found.force.size() < 2 || found.force.size() != found.approach.size())
+      throw std::logic_error("A stiffness curve needs two forces at each place.");
+  StiffnessCurve curve{};
+  curve.depth = places[0].approach.back();
+  std::vector<double> first, last;
+  for (const Approaches &found : places)
+    {
+      const std::array<double, 2> fitted = fit_one(found, curve.depth);
+      first.push_back(fitted[0]);
+      last.push_back(fitted[1]);
+    }
+  curve.end = places.back().place;
+  interpolate(first, places, curve.first);
+  interpolate(last, places, curve.last);
+  return curve;
+}
+
+double force_of(const StiffnessCurve &curve, const double place, const double approach)
+{
+  const double at   = std::clamp(place, 0., curve.end);
+  const double last = share_of_last(curve.depth, approach);
+  return at_place(curve.first, at) * (approach - last) + at_place(curve.last, at) * last;
+}
+
+double stiffest(const StiffnessCurve &curve)
+{
+  return std::max(extremes(curve.first, curve.end).second, extremes(curve.last, curve.end).second);
+}
+} // namespace chaindrive::drive
