@@ -7,6 +7,7 @@
 #include <chaindrive/observe/spans.h>
 #include <chaindrive/observe/window.h>
 #include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/to_first_rank.h>
 
 #include <vector>
 
@@ -65,6 +66,7 @@ private:
   mutable Spans                            spans_;
   mutable bool                             spans_known_ = false, pressures_known_ = false;
   mutable std::vector<std::vector<double>> pressures_;
+  mutable SumOnFirstRank                   on_first_rank_; ///< of pressures
   Window                                   window_;
 };
 } // namespace chaindrive::observe
