@@ -392,6 +392,7 @@ void end_files(Prepared &prepared)
   if (!errors.empty())
     log << accuracy_sentence(errors) << '\n';
   PhaseTimer::print(log, summary.phases);
+  observe::print_ranks(log, summary.ranks);
   if (prepared.simulation.parameters.acoustics.noise)
     try_noise(prepared);
   log << "Results: " << prepared.directory.path() << '\n';

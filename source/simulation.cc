@@ -283,6 +283,7 @@ observe::Summary Simulation::summary() const
 {
   observe::Summary summary;
   summary.phases      = observe::rows_of_all_ranks(system_->timer, communicator());
+  summary.ranks       = observe::of_ranks(communicator());
   files::Json &values = summary.values;
   recorder_->summarize(values);
   add_balances(values, *guard_, scene.drive.strands);

@@ -60,15 +60,20 @@ std::vector<unsigned int> in_pieces(const std::vector<unsigned int> &bodies,
   return order;
 }
 
-/// The bodies of each part that move by @p motion.
-std::map<scene::PartOf, std::vector<unsigned int>> bodies_that_move(const scene::Scene &scene,
-                                                                    const scene::Motion motion)
+/// @p bodies of a part, rank by rank: those in joints with bores of another rank's bodies, by
+/// @p is_shared, come last of each, since a batch with one of them is shared.
+std::vector<unsigned int> by_rank(const std::vector<unsigned int> &bodies,
+                                  const std::vector<unsigned int> &rank_of,
+                                  const std::vector<char>         &is_shared,
+                                  const unsigned int               n_ranks)
 {
-  std::map<scene::PartOf, std::vector<unsigned int>> found;
-  for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-    if (scene.bodies[b].motion == motion)
-      found[scene.bodies[b].part()].push_back(b);
-  return found;
+  std::vector<unsigned int> order;
+  for (unsigned int rank = 0; rank < n_ranks; ++rank)
+    for (const bool shared : {false, true})
+      for (const unsigned int body : bodies)
+        if (rank_of[body] == rank && (is_shared[body] != 0) == shared)
+          order.push_back(body);
+  return order;
 }
 
 /// Makes the copies of elastic @p bodies of a part, and returns their number in World::copies.
@@ -116,7 +121,7 @@ void add_elastic_bodies(const scene::Scene &scene, const Partition &partitioned,
   constexpr scene::Motion elastic = scene::Motion::elastic;
   for (const auto &[of, bodies] : bodies_that_move(scene, elastic))
     {
-      const std::vector<unsigned int> &first_batch = partitioned.at({elastic, of});
+      const std::vector<unsigned int> &first_batch = partitioned.first_batch.at({elastic, of});
       if (scene.sectors.count(of) != 0)
         {
           add_rim(scene, bodies.front(), first_batch, world);
@@ -133,15 +138,32 @@ void add_elastic_bodies(const scene::Scene &scene, const Partition &partitioned,
 
 void add_reduced_bodies(const scene::Scene &scene, const Partition &partitioned, World &world)
 {
-  constexpr scene::Motion reduced = scene::Motion::reduced;
-  for (const auto &[of, bodies] : bodies_that_move(scene, reduced))
+  constexpr scene::Motion reduced  = scene::Motion::reduced;
+  const unsigned int      n_ranks  = n_ranks_in(world.communicator());
+  const auto              of_parts = bodies_that_move(scene, reduced);
+
+  std::vector<unsigned int> rank_of(scene.bodies.size(), n_ranks); // none
+  std::vector<char>         is_shared(scene.bodies.size(), 0);
+  if (!partitioned.rank_of_piece.empty())
     {
-      const unsigned int in_turn = of.kind == scene::Kind::roller ? 2 : 1;
-      const auto in_order = in_pieces(bodies, in_turn * n_lanes, n_ranks_in(world.communicator()));
-      const unsigned int group = add_copies(scene,
+      for (const auto &[of, bodies] : of_parts)
+        for (unsigned int i = 0; i < bodies.size(); ++i)
+          rank_of[bodies[i]] = partitioned.rank_of_piece[i / (batches_in_turn(of) * n_lanes / 2)];
+      for (const scene::BoreFamily &bores : scene.bores)
+        for (const scene::BorePair &pair : bores.pairs)
+          if (rank_of[pair.master] < n_ranks && rank_of[pair.slave.body] != rank_of[pair.master])
+            is_shared[pair.slave.body] = 1;
+    }
+  for (const auto &[of, bodies] : of_parts)
+    {
+      const unsigned int in_turn  = batches_in_turn(of);
+      const auto         in_order = partitioned.rank_of_piece.empty() ?
+                                        in_pieces(bodies, in_turn * n_lanes, n_ranks) :
+                                        by_rank(bodies, rank_of, is_shared, n_ranks);
+      const unsigned int group    = add_copies(scene,
                                             of,
                                             neighbours_in_batches(in_order, in_turn),
-                                            partitioned.at({reduced, of}),
+                                            partitioned.first_batch.at({reduced, of}),
                                             world);
       world.copies.back().count_readers();
       world.groups.add(std::make_unique<ReducedBodies>(scene, world, group));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/bodies/body_batches.h>
 #include <chaindrive/bodies/node_exchange.h>
+#include <chaindrive/utilities/timing.h>
 
 #include <algorithm>
 #include <utility>
@@ -88,7 +89,8 @@ void NodeExchange::exchange(Neighbours        &from,
   begin_all(from, MPI_Isend);
   if (requests_.empty()) // on one rank there need be no MPI
     return;
-  const int status = MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+  const Waiting waiting;
+  const int     status = MPI_Waitall(int(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
   AssertThrowMPI(status);
 }
 

@@ -2,6 +2,7 @@
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/ranks.h>
+#include <chaindrive/utilities/timing.h>
 
 #include <algorithm>
 #include <cmath>
@@ -259,7 +260,8 @@ void World::sum_over_ranks(const std::initializer_list<Summands> others)
   });
   if (n_ranks_ > 1)
     {
-      const int status = MPI_Allreduce(
+      const Waiting waiting;
+      const int     status = MPI_Allreduce(
           MPI_IN_PLACE, shared_.data(), int(shared_.size()), MPI_DOUBLE, MPI_SUM, comm_);
       AssertThrowMPI(status);
     }

@@ -13,6 +13,7 @@
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
+#include <chaindrive/utilities/timing.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -214,42 +215,43 @@ void Contacts::book_losses()
 void Contacts::gather_records(const World &world)
 {
   const MPI_Comm     comm = world.communicator();
-  const unsigned int rank = rank_in(comm), first = rank > 0 ? rank : 1,
-                     end = rank > 0 ? rank + 1 : n_ranks_in(comm);
-  constexpr int tag      = 1;
+  const unsigned int rank = rank_in(comm), n_ranks = n_ranks_in(comm);
+  constexpr int      tag = 1;
 
-  // numbers of each rank; those of others that the first one has of them are as many as will come
-  messages_.resize(end);
-  for (unsigned int of = first; of < end; ++of)
-    {
-      messages_[of].clear();
-      for (const auto &family : families_)
-        family->pack_records(of, messages_[of]);
-    }
   if (rank > 0)
     {
-      const std::vector<double> &own = messages_[rank];
-      const int status = MPI_Send(own.data(), int(own.size()), MPI_DOUBLE, 0, tag, comm);
-      AssertThrowMPI(status);
+      std::vector<double> &own = own_records_.numbers();
+      for (const auto &family : families_)
+        family->pack_records(rank, own);
+      own_records_.send(comm, tag);
       return;
     }
 
-  std::vector<MPI_Request> requests(end - first);
+  // room for the records of all pairs, of which those that are near will come
+  messages_.resize(n_ranks);
+  std::vector<MPI_Request> requests(n_ranks - 1);
   for (unsigned int i = 0; i < requests.size(); ++i)
     {
-      std::vector<double> &message = messages_[first + i];
-      const int            status  = MPI_Irecv(
-          message.data(), int(message.size()), MPI_DOUBLE, int(first + i), tag, comm, &requests[i]);
+      std::vector<double> &message = messages_[1 + i];
+      if (message.empty())
+        for (const auto &family : families_)
+          message.resize(message.size() + family->most_numbers(1 + i));
+      const int status = MPI_Irecv(
+          message.data(), int(message.size()), MPI_DOUBLE, int(1 + i), tag, comm, &requests[i]);
       AssertThrowMPI(status);
     }
   for (unsigned int n = 0; n < requests.size(); ++n) // in the order in which they come
     {
-      int       i      = 0;
-      const int status = MPI_Waitany(int(requests.size()), requests.data(), &i, MPI_STATUS_IGNORE);
-      AssertThrowMPI(status);
+      int i = 0;
+      {
+        const Waiting waiting;
+        const int     status =
+            MPI_Waitany(int(requests.size()), requests.data(), &i, MPI_STATUS_IGNORE);
+        AssertThrowMPI(status);
+      }
       std::size_t position = 0;
       for (const auto &family : families_)
-        family->unpack_records(first + i, messages_[first + i], position);
+        family->unpack_records(1 + i, messages_[1 + i], position);
     }
 }
 

@@ -66,6 +66,14 @@ void Family::pack_records(const unsigned int rank, std::vector<double> &numbers)
       }
 }
 
+std::size_t Family::most_numbers(const unsigned int rank) const
+{
+  std::size_t n = 0;
+  Record      record;
+  visit(record, [&n](const double) { ++n; });
+  return n * std::count(owner_.begin(), owner_.end(), rank);
+}
+
 void Family::unpack_records(const unsigned int         rank,
                             const std::vector<double> &numbers,
                             std::size_t               &position)

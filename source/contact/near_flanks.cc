@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/contact/near_flanks.h>
 #include <chaindrive/utilities/ranks.h>
+#include <chaindrive/utilities/timing.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -60,7 +61,11 @@ void NearFlanks::update(World &world, const bool searched, const double dt)
       changed = changed || gaps != item.gaps;
       item.gaps.swap(gaps);
     }
-  if (dealii::Utilities::MPI::max(changed ? 1 : 0, world.communicator()) == 0)
+  const auto any_changed = [&] {
+    const Waiting waiting;
+    return dealii::Utilities::MPI::max(changed ? 1 : 0, world.communicator()) != 0;
+  };
+  if (!any_changed())
     return;
 
   std::map<unsigned int, std::vector<BodyBatches::Place>> wanted; // by group of copies

@@ -33,6 +33,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
   integration_ = timer.add("Time integration");
   if (!contacts.families().empty())
     contact_ = timer.add("Contact algorithm");
+  if (n_ranks_in(comm) > 1)
+    timer.count_waiting();
 
   for (Rim &rim : world.rims)
     rim.find_seam(world.copies[rim.group]);

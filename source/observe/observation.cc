@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/observation.h>
-#include <chaindrive/utilities/ranks.h>
-
-#include <deal.II/base/exceptions.h>
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <numeric>
@@ -59,19 +55,9 @@ const std::vector<std::vector<double>> &Observation::pressures() const
       family->raise_pressures(pressures_.back());
       all.insert(all.end(), pressures_.back().begin(), pressures_.back().end());
     }
-  const MPI_Comm comm  = system.world.communicator();
-  const bool     first = system.world.is_first_rank();
-  if (!all.empty() && n_ranks_in(comm) > 1) // no other rank has to wait
-    {
-      const int status = MPI_Reduce(first ? MPI_IN_PLACE : all.data(),
-                                    first ? all.data() : nullptr,
-                                    int(all.size()),
-                                    MPI_DOUBLE,
-                                    MPI_MAX,
-                                    0,
-                                    comm);
-      AssertThrowMPI(status);
-    }
+  constexpr int tag = 21;
+  if (!all.empty())
+    on_first_rank_.max(all, system.world.communicator(), tag);
   auto next = all.begin();
   for (std::vector<double> &of_family : pressures_)
     for (double &pressure : of_family)

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/summary.h>
+#include <chaindrive/utilities/ranks.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <numeric>
+#include <utility>
 
 namespace chaindrive::observe
 {
@@ -93,6 +96,50 @@ double memory_peak(const MPI_Comm comm)
   dealii::Utilities::System::MemoryStats memory; // in KiB
   dealii::Utilities::System::get_memory_stats(memory);
   return 1024. * dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM), comm);
+}
+
+std::vector<PhaseTimer::OfRank> of_ranks(const MPI_Comm comm)
+{
+  std::vector<PhaseTimer::OfRank> ranks;
+  if (n_ranks_in(comm) == 1)
+    return ranks;
+  const PhaseTimer::OfRank own = PhaseTimer::of_this_rank();
+  for (const auto &[busy, waiting] :
+       dealii::Utilities::MPI::all_gather(comm, std::make_pair(own.busy, own.waiting)))
+    ranks.push_back({busy, waiting});
+  return ranks;
+}
+
+void print_ranks(std::ostream &out, const std::vector<PhaseTimer::OfRank> &ranks)
+{
+  constexpr std::size_t most_listed = 8;
+  if (ranks.empty())
+    return;
+  char       line[128];
+  const auto add_row = [&](const std::string &name, const PhaseTimer::OfRank &rank) {
+    std::snprintf(
+        line, sizeof(line), "%-36s %12.3E %15.3E\n", name.c_str(), rank.busy, rank.waiting);
+    out << line;
+  };
+  std::snprintf(line, sizeof(line), "%-36s %12s %15s\n", "CPU time (s)", "Busy", "Waiting");
+  out << line;
+  if (ranks.size() <= most_listed)
+    {
+      for (std::size_t rank = 0; rank < ranks.size(); ++rank)
+        add_row("Rank " + std::to_string(rank), ranks[rank]);
+      return;
+    }
+  const auto [least, most] = std::minmax_element(
+      ranks.begin(), ranks.end(), [](const auto &a, const auto &b) { return a.busy < b.busy; });
+  PhaseTimer::OfRank mean{0., 0.};
+  for (const PhaseTimer::OfRank &rank : ranks)
+    {
+      mean.busy += rank.busy / static_cast<double>(ranks.size());
+      mean.waiting += rank.waiting / static_cast<double>(ranks.size());
+    }
+  add_row("Rank " + std::to_string(least - ranks.begin()) + ", least busy", *least);
+  add_row("Mean of " + std::to_string(ranks.size()) + " ranks", mean);
+  add_row("Rank " + std::to_string(most - ranks.begin()) + ", busiest", *most);
 }
 
 std::vector<PhaseTimer::Row> rows_of_all_ranks(const PhaseTimer &timer, const MPI_Comm comm)

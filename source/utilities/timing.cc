@@ -16,12 +16,21 @@ double PhaseTimer::total()
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+Waiting::Waiting() : begin_(time_stamp()), cpu_at_begin_(PhaseTimer::total()) {}
+
+Waiting::~Waiting()
+{
+  cpu_seconds_ += PhaseTimer::total() - cpu_at_begin_;
+  ticks_ += time_stamp() - begin_;
+}
+
 PhaseTimer::PhaseTimer()
     : names_{"Initiation and rest"}
     , ticks_{0}
     , start_(clock())
     , last_(start_)
     , cpu_at_start_(total())
+    , waited_at_start_(Waiting::cpu_seconds())
 {
 }
 
@@ -42,7 +51,9 @@ std::vector<PhaseTimer::Row> PhaseTimer::rows() const
   const auto   now   = clock();
   ticks[running_] += now - last_;
 
-  const double     seconds_per_tick = (cpu - cpu_at_start_) / static_cast<double>(now - start_);
+  const double waited = Waiting::cpu_seconds() - waited_at_start_;
+  const double seconds_per_tick =
+      (cpu - cpu_at_start_ - waited) / static_cast<double>(now - start_);
   std::vector<Row> rows;
   double           in_phases = 0.;
   for (Phase p = 1; p < names_.size(); ++p)
@@ -50,6 +61,11 @@ std::vector<PhaseTimer::Row> PhaseTimer::rows() const
       const double seconds = static_cast<double>(ticks[p]) * seconds_per_tick;
       rows.push_back({names_[p], seconds, 0.});
       in_phases += seconds;
+    }
+  if (counts_waiting_)
+    {
+      rows.push_back({"Waiting for other ranks", waited, 0.});
+      in_phases += waited;
     }
   rows.push_back({names_[rest], cpu - in_phases, 0.});
 

@@ -65,6 +65,35 @@ int main()
   std::cout << "a change of phase costs less than 100 ns: "
             << ((PhaseTimer::total() - before) / n < 100e-9 ? "yes" : "no") << std::endl;
 
+  // waiting, for 40 ms within a phase of 20 ms, is a row of its own
+  PhaseTimer other;
+  other.count_waiting();
+  const auto step = other.add("Step");
+  for (unsigned int i = 0; i < 20; ++i)
+    {
+      const PhaseTimer::Scope scope(other, step);
+      work(0.001);
+      {
+        const Waiting waiting;
+        work(0.002);
+      }
+    }
+  const auto               of_step = other.rows();
+  const PhaseTimer::OfRank of_rank = PhaseTimer::of_this_rank();
+  std::cout << of_step[1].name << ": "
+            << (of_step[1].cpu_seconds > 0.04 && of_step[1].cpu_seconds < 0.044 ? "yes" : "no")
+            << std::endl
+            << "and not in the phase: "
+            << (of_step[0].cpu_seconds > 0.012 && of_step[0].cpu_seconds < 0.028 ? "yes" : "no")
+            << std::endl
+            << "busy and waiting are all: "
+            << (of_rank.waiting > 0.04 && of_rank.waiting < 0.044 &&
+                        std::abs((of_rank.busy + of_rank.waiting) / PhaseTimer::total() - 1.) <
+                            0.01 ?
+                    "yes" :
+                    "no")
+            << std::endl;
+
   std::ostringstream out;
   timer.print(out);
   const std::string table = out.str();

@@ -5,6 +5,7 @@
 #include <chaindrive/contact/near_flanks.h>
 #include <chaindrive/contact/search_cadence.h>
 #include <chaindrive/utilities/pointer_list.h>
+#include <chaindrive/utilities/to_first_rank.h>
 
 #include <deal.II/base/array_view.h>
 
@@ -100,6 +101,7 @@ private:
   std::vector<double>              lost_now_;
   std::vector<Loss>                losses_;
   unsigned long                    missed_before_ = 0; ///< the run was resumed, by any rank
-  std::vector<std::vector<double>> messages_;          ///< of gather_records(), by rank
+  std::vector<std::vector<double>> messages_;    ///< of gather_records(), by rank, on the first
+  ToFirstRank                      own_records_; ///< on others
 };
 } // namespace chaindrive::contact

@@ -114,6 +114,9 @@ public:
   void pack_records(unsigned int rank, std::vector<double> &numbers) const;
   void unpack_records(unsigned int rank, const std::vector<double> &numbers, std::size_t &position);
 
+  /// How many numbers pack_records() may append.
+  std::size_t most_numbers(unsigned int rank) const;
+
   /// What the pairs remember between two steps: records, and pair by pair, from the rank that
   /// evaluates it, all else. This is rank @p rank.
   virtual void serialize(const Archive &archive, unsigned int rank);

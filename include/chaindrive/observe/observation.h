@@ -8,6 +8,7 @@
 #include <chaindrive/observe/window.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/signal_statistics.h>
+#include <chaindrive/utilities/to_first_rank.h>
 
 #include <vector>
 
@@ -73,6 +74,7 @@ private:
   mutable Spans       spans_;
   mutable bool        spans_known_ = false, pressures_known_ = false, tooth_pieces_known_ = false;
   mutable std::vector<std::vector<double>> pressures_;
+  mutable SumOnFirstRank                   on_first_rank_; ///< of pressures
   Window                                   window_;
   const World::Hub                        *driver_ = nullptr; ///< null in a scene without
   double                   teeth_ = 0.; ///< of the driver, positive where its angle grows

@@ -16,6 +16,7 @@ struct Summary
 {
   files::Json                  values; ///< of summary.json; their definitions are in doc/output.md
   std::vector<PhaseTimer::Row> phases; ///< where the CPU time went, of all ranks together
+  std::vector<PhaseTimer::OfRank> ranks; ///< CPU time of each since it was started; of one none
 };
 
 /// The members of @p values in the order in which summary.json has them. Those that have no
@@ -28,6 +29,13 @@ files::Json cpu_seconds(const std::vector<PhaseTimer::Row> &rows);
 
 /// The rows of @p timer, of all ranks together. Collective.
 std::vector<PhaseTimer::Row> rows_of_all_ranks(const PhaseTimer &timer, MPI_Comm comm);
+
+/// PhaseTimer::of_this_rank() of each; none of a single one. Collective.
+std::vector<PhaseTimer::OfRank> of_ranks(MPI_Comm comm);
+
+/// A table of how long each rank was busy and waited; of many the least, the mean and the most busy
+/// one. Nothing of none.
+void print_ranks(std::ostream &out, const std::vector<PhaseTimer::OfRank> &ranks);
 
 /// Largest memory that each process has had so far, their sum. Bytes. Collective.
 double memory_peak(MPI_Comm comm);

@@ -2,8 +2,7 @@
 #include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
-
-#include <deal.II/base/mpi.h>
+#include <chaindrive/utilities/to_first_rank.h>
 
 #include <cmath>
 #include <limits>
@@ -86,7 +85,8 @@ public:
         for (unsigned int c = 0; c < n; ++c)
           numbers[n * body.number + c] = is_elastic ? entry(components, c) : nan;
       }
-    dealii::Utilities::MPI::sum(numbers, world.communicator(), numbers);
+    constexpr int tag = 24;
+    on_first_rank_.sum(numbers, world.communicator(), tag);
     for (unsigned int k = 0; k < stress_.size(); ++k)
       {
         WaistComponents components{};
@@ -99,6 +99,7 @@ public:
 
 private:
   Waists                   waists_;
+  SumOnFirstRank           on_first_rank_;
   std::vector<WaistStress> stress_; ///< per link, at the present sample
 };
 

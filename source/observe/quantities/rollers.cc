@@ -3,8 +3,7 @@
 #include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
-
-#include <deal.II/base/mpi.h>
+#include <chaindrive/utilities/to_first_rank.h>
 
 #include <algorithm>
 
@@ -83,7 +82,8 @@ public:
     for (const unsigned int k : now_.roller_bodies)
       if (world.is_nodal(k) && world.owns(k))
         spin_of_nodes_[k] = spin_of_nodes(now_.system, k);
-    dealii::Utilities::MPI::sum(spin_of_nodes_, world.communicator(), spin_of_nodes_);
+    constexpr int tag = 22;
+    on_first_rank_.sum(spin_of_nodes_, world.communicator(), tag);
   }
 
 private:
@@ -119,6 +119,7 @@ private:
   Frame               room_;          ///< of a bush
   std::vector<double> acceleration_;  ///< of all bodies at the present sample
   std::vector<double> spin_of_nodes_; ///< of rollers that move by nodes, by body, rad/s
+  SumOnFirstRank      on_first_rank_;
 };
 
 const Registered<Rollers> registered_rollers({"rollers", "How the rollers move.", {"shafts"}},

@@ -2,8 +2,7 @@
 #include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
-
-#include <deal.II/base/mpi.h>
+#include <chaindrive/utilities/to_first_rank.h>
 
 #include <limits>
 
@@ -70,7 +69,8 @@ public:
           for (unsigned int d = 0; d < 3; ++d)
             numbers[3 * i + d] = v[d];
         }
-    dealii::Utilities::MPI::sum(numbers, world.communicator(), numbers);
+    constexpr int tag = 23;
+    on_first_rank_.sum(numbers, world.communicator(), tag);
     for (unsigned int i = 0; i < velocity_.size(); ++i)
       for (unsigned int d = 0; d < 3; ++d)
         velocity_[i][d] = numbers[3 * i + d];
@@ -78,6 +78,7 @@ public:
 
 private:
   RollerSurfaces                    surfaces_;
+  SumOnFirstRank                    on_first_rank_;
   std::vector<dealii::Tensor<1, 3>> velocity_; ///< of now_.rollers at the present sample, m/s
 };
 
