@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -23,8 +24,9 @@ double share_of_last(const double depth, const double approach)
   return (approach * approach - beyond * beyond) / (2. * depth);
 }
 
-/// First and last stiffness of what was @p found, N/m.
-std::array<double, 2> fit_one(const Approaches &found, const double depth)
+/// First and last stiffness of what was @p found, N/m; adds the squares of relative errors to
+/// @p squares.
+std::array<double, 2> fit_one(const Approaches &found, const double depth, double &squares)
 {
   // F = first (d - h) + last h, over the force that was found
   double a = 0., b = 0., c = 0., p = 0., q = 0.;
@@ -38,13 +40,17 @@ std::array<double, 2> fit_one(const Approaches &found, const double depth)
       p += x;
       q += y;
     }
-  const double                determinant = a * c - b * b;
-  const std::array<double, 2> fitted      = {
-           {(p * c - q * b) / determinant, (q * a - p * b) / determinant}};
-  if (fitted[0] > 0. && fitted[1] > 0.)
-    return fitted;
-  const double secant = found.force.back() / found.approach.back();
-  return {{secant, secant}};
+  const double          determinant = a * c - b * b;
+  std::array<double, 2> fitted = {{(p * c - q * b) / determinant, (q * a - p * b) / determinant}};
+  if (!(fitted[0] > 0.) || !(fitted[1] > 0.))
+    fitted[0] = fitted[1] = found.force.back() / found.approach.back();
+  for (std::size_t i = 0; i < found.force.size(); ++i)
+    {
+      const double last  = share_of_last(depth, found.approach[i]),
+                   force = fitted[0] * (found.approach[i] - last) + fitted[1] * last;
+      squares += std::pow(force / found.force[i] - 1., 2);
+    }
+  return fitted;
 }
 
 /// The extreme values of a polynomial from place 0 to @p end.
@@ -94,14 +100,27 @@ StiffnessCurve fit_stiffness(const std::vector<Approaches> &places)
   for (const Approaches &found : places)
     if (found.force.size() < 2 || found.force.size() != found.approach.size())
       throw std::logic_error("A stiffness curve needs two forces at each place.");
-  StiffnessCurve curve{};
-  curve.depth = places[0].approach.back();
+  StiffnessCurve      curve{};
   std::vector<double> first, last;
-  for (const Approaches &found : places)
+  double              least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < places[0].approach.size(); ++i)
     {
-      const std::array<double, 2> fitted = fit_one(found, curve.depth);
-      first.push_back(fitted[0]);
-      last.push_back(fitted[1]);
+      const double        depth   = places[0].approach[i];
+      double              squares = 0.;
+      std::vector<double> of_first, of_last;
+      for (const Approaches &found : places)
+        {
+          const std::array<double, 2> fitted = fit_one(found, depth, squares);
+          of_first.push_back(fitted[0]);
+          of_last.push_back(fitted[1]);
+        }
+      if (squares < least)
+        {
+          least       = squares;
+          curve.depth = depth;
+          first       = of_first;
+          last        = of_last;
+        }
     }
   curve.end = places.back().place;
   interpolate(first, places, curve.first);

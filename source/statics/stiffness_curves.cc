@@ -28,27 +28,29 @@ struct OverLoads
   }
 };
 
-/// The contact of @p make (see at_force()) at a tenth, a third and all of the @p load [N], and at
-/// three times that, or as much more as the patches that it needs there leave room for.
-OverLoads over_loads(const std::function<ContactProblem(unsigned int)> &make, const double load)
+/// Pressure over the projection of a joint up to which impacts of light drives go, Pa: that of
+/// chains at their rating.
+constexpr double rated_pressure = 20e6;
+
+/// The contact of @p make (see at_force()) at a tenth, a third and all of the @p load [N], and as
+/// far as the patches that it needs there leave room for up to three times that and at @p most [N].
+OverLoads over_loads(const std::function<ContactProblem(unsigned int)> &make,
+                     const double                                       load,
+                     const double                                       most)
 {
   OverLoads result;
   at_force(
       [&](const unsigned int n_angles) {
         ContactProblem problem = make(n_angles);
         result                 = {};
-        for (const double share : {0.1, 0.3, 1.})
-          {
-            result.force.push_back(share * load);
-            result.at.push_back(problem.at(share * load));
-          }
-        for (const double share : {3., 2., 1.5})
-          if (ContactSolution pressed = problem.at(share * load); !pressed.reaches_the_end)
-            {
-              result.force.push_back(share * load);
-              result.at.push_back(std::move(pressed));
-              break;
-            }
+        for (const double force : {0.1 * load, 0.3 * load, load, 2. * load, 3. * load, most})
+          if (result.force.empty() || force > 1.2 * result.force.back())
+            if (ContactSolution pressed = problem.at(force);
+                force <= load || !pressed.reaches_the_end)
+              {
+                result.force.push_back(force);
+                result.at.push_back(std::move(pressed));
+              }
         return problem;
       },
       load);
@@ -70,9 +72,11 @@ std::string in_words(const drive::StiffnessCurve &curve, const double place)
 drive::StiffnessCurves
 stiffness_curves(Library &library, const drive::Drive &drive, const double load, std::string &note)
 {
+  const double           most = rated_pressure * drive.chain.pin_diameter * drive.chain.bush_length;
   drive::StiffnessCurves curves;
   curves.per_pitch = drive::fit_stiffness(
-      {over_loads([&](const unsigned int n) { return library.pulled_links(drive.chain, n); }, load)
+      {over_loads(
+           [&](const unsigned int n) { return library.pulled_links(drive.chain, n); }, load, most)
            .of(0, 0.)});
   note = "Stiffness curves, tangents from the first touch to high loads in N/um: a pitch " +
          in_words(*curves.per_pitch, 0.);
@@ -93,7 +97,8 @@ stiffness_curves(Library &library, const drive::Drive &drive, const double load,
                 return library.pressed_roller(
                     drive.chain, sprocket, drive.sprocket_width, n, std::acos(1. - place));
               },
-              load);
+              load,
+              most);
           places.push_back(pressed.of(0, place));
           // the bush knows nothing of the tooth behind the roller
           if (drive.chain.has_rollers && !curves.roller_bush)
