@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-// A reduced roller between a tooth and the bush of a link, none of which have a penalty.
+// Two reduced rollers between teeth and the bushes of a link, none of which have a penalty.
 
 #include "reduced.h"
 #include "tooth.h"
 
 #include <chaindrive/drive/stiffness.h>
 #include <chaindrive/scene/build.h>
-#include <chaindrive/statics/library.h>
+#include <chaindrive/statics/part_stiffness.h>
 
 #include <map>
+#include <utility>
 
 namespace test::exact_roller
 {
@@ -38,10 +39,11 @@ struct Case
   double speed     = 0.; ///< towards it, m/s
   double friction  = 0.;
   double in_bore   = 0.;
-  double spin      = 0.;    ///< rad/s
-  double mass      = 1.;    ///< of the link, kg
-  bool   fine      = true;  ///< is the link's mesh, else that of runs
-  bool   slowed    = false; ///< are the modes of roller and link, as in runs
+  double spin      = 0.;   ///< rad/s
+  double mass      = 1.;   ///< of the link, kg
+  bool   fine      = true; ///< is the link's mesh, else that of runs
+  /// Modes of rollers and links are slowed to these, kHz; 0: none.
+  double slowed_rollers = 0., slowed_links = 0.;
 };
 
 /// Centre of the roller at the tooth and the normal there, in the sprocket's frame.
@@ -159,10 +161,12 @@ inline scene::Scene make(const Case &c)
   options.orders.in_joints = options.orders.on_teeth = false;
   reduce(scene, options);
   known[c.fine] = scene.bases;
-  if (c.slowed)
+  if (c.slowed_rollers > 0. || c.slowed_links > 0.)
     {
-      options.fastest_of_rollers = 2. * dealii::numbers::PI * 80e3;
-      options.fastest_of_links   = 2. * dealii::numbers::PI * 60e3;
+      if (c.slowed_rollers > 0.)
+        options.fastest_of_rollers = 2e3 * dealii::numbers::PI * c.slowed_rollers;
+      if (c.slowed_links > 0.)
+        options.fastest_of_links = 2e3 * dealii::numbers::PI * c.slowed_links;
       for (auto &[part, basis] : scene.bases)
         {
           auto slowed = std::make_shared<reduction::Basis>(*basis);
