@@ -4,8 +4,8 @@
 // are those of Hertz' line contact in each ring of the roller's nodes, p_0 = sqrt(q E' / (2 pi R))
 // under the load q per length: each strip has its mean over this strip. In the seat peaks are those
 // of a pin in a hole [Persson 1964]. A bore has the pressure of the cylinder in it. The forces that
-// deflect bodies beside their modes cancel; with these deflections surfaces that overlap where modes
-// alone place them lie on one another, and plates bend as the link measures by other means.
+// deflect bodies beside their modes cancel; with these deflections surfaces that overlap where
+// modes alone place them lie on one another, and plates bend as the link measures by other means.
 #include "../support/exact_roller.h"
 
 #include <chaindrive/contact/contacts.h>
