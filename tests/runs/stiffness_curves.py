@@ -43,7 +43,8 @@ def main():
     given = {TOOTH: 2e8, PITCH: 1e8}
     run(DRIVE, PROGRAM, "given", given)
     run(DRIVE, PROGRAM, "bush", {**given, **CURVES})
-    limits = [dict(re.findall(r"(roller-driver|bush-pin|roller-bush) ([\d.]+)", log(name).split("Critical time step")[1])) for name in ("given", "bush")]
+    limits = [dict(re.findall(r"(roller-driver|bush-pin|roller-bush) ([\d.]+)", log(name).split("Critical time step")[1]))
+              for name in ("given", "bush")]
     check(all(limits[0][name] == limits[1][name] for name in ("roller-driver", "bush-pin")), f"{limits}")
     check(float(limits[1]["roller-bush"]) < float(limits[0]["roller-bush"]), f"{limits}")
 
