@@ -41,6 +41,7 @@ void WindowStatistics::add(const double *values, [[maybe_unused]] const std::siz
     }
   const auto &pieces =
       tooth_periods_.next(begin, now_.dt(), driver_ != nullptr ? teeth_ * driver_->angle : 0.);
+  pieces_ = &pieces;
   for (Item &item : items_)
     {
       item.statistics.add(begin, now_.dt(), *values, pieces);

@@ -37,6 +37,9 @@ public:
   void add(const std::vector<double> &values) { add(values.data(), values.size()); }
   void add(const std::initializer_list<double> values) { add(values.begin(), values.size()); }
 
+  /// The pieces of the last step in whole tooth periods of the window, for means over these.
+  const std::vector<WholeRevolutions::Piece> &pieces() const { return *pieces_; }
+
   /// The mean of a signal; not a number when nothing fell into the window.
   double mean(const std::string &name) const;
 
@@ -61,5 +64,7 @@ private:
   double             teeth_  = 0.;      ///< of the driver, positive where its angle grows
   WholeRevolutions   tooth_periods_;
   std::vector<Item>  items_;
+
+  const std::vector<WholeRevolutions::Piece> *pieces_ = nullptr;
 };
 } // namespace chaindrive::observe
