@@ -42,6 +42,13 @@ std::vector<std::pair<std::string, Known>> known_means(const files::Json &summar
                          {number_in(found["mean"]),
                           number_in(found["uncertainty"]),
                           number_in(summary["statistics"]["tooth_periods"])}});
+  if (summary.contains("spans") && summary.contains("statistics"))
+    for (const auto &[span, found] : summary["spans"].items())
+      for (const char *what : {"_tension", "_speed"})
+        known.push_back({span + what + "_mean",
+                         {number_in(found[std::string(what + 1) + "_mean"]),
+                          number_in(found[std::string(what + 1) + "_uncertainty"]),
+                          number_in(summary["statistics"]["tooth_periods"])}});
   if (summary.contains("impacts"))
     for (const auto &[sprocket, found] : summary["impacts"].items())
       for (const auto &[ending, member] : of_impacts)

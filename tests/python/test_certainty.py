@@ -35,6 +35,10 @@ def test_what_the_program_says(runs):
     impacts = comparison.means(plain, "driver_peak_force_mean")
     assert certainty.uncertainty_of_mean(impacts.values, impacts.least) == pytest.approx(
         plain.summary["impacts"]["driver"]["peak_force"]["uncertainty"], rel=1e-9, abs=0)
+    statistics, spans = plain.summary["statistics"], {span["label"]: span for span in plain.summary["spans"].values()}
+    assert spans["tight"]["tension_uncertainty"] == statistics["tight_tension"]["uncertainty"]
+    assert spans["slack"]["tension_uncertainty"] == statistics["slack_tension"]["uncertainty"]
+    assert spans["tight"]["speed_uncertainty"] == statistics["span_speed"]["uncertainty"] != spans["slack"]["speed_uncertainty"] > 0
     times = comparison.means(plain, "pitch_time_mean")
     assert certainty.uncertainty_of_mean(times.values, times.least) == pytest.approx(plain.summary["pitch_time_uncertainty"], rel=1e-9, abs=0)
 

@@ -14,7 +14,7 @@ from program import check, start
 
 PROGRAM, FILE = sys.argv[1:]
 DRIVE = ("Drive/Layout/Start=settled", "Output/Window start in ms=settled", "Time/Time step in us=auto",
-         "Output/History interval in us=1000", "Output/Quantities=speeds, tensions, engagements")
+         "Output/History interval in us=1000", "Output/Quantities=speeds, tensions, engagements, energy")
 
 
 def run(folder, end, until, *more, status=0):
@@ -39,12 +39,16 @@ def main():
         check(abs(both[name]["uncertainty"] / (found["uncertainty"] / found["mean"]) - 1) < 1e-12, f"{name}: {both}")
     check("the run knows what Output/Until asks for: driver_peak_mean to " in said, said)
 
+    span, _ = run("span", 1000, "driven_to_driver_tension_mean=12, tight_tension_mean=12")
+    check(len(set(one["uncertainty"] for one in span["until"].values())) == 1 and span["spans"]["driven_to_driver"]["label"] == "tight", f"{span['until']}")
+
     coarse, said = run("coarse", 1000, "driver_peak_mean=80")
     check(coarse["steps"] < fine["steps"], "less asked for does not take less time")
 
     run("parts", 1e3 * (window["start"] + window["end"]) / 2, "driver_peak_mean=25, tight_tension_mean=12")
     parts, said = run("parts", 1000, "driver_peak_mean=25, tight_tension_mean=12", "--resume auto")
-    for member in ("steps", "until", "statistics", "impacts", "window"):
+    for member in ("steps", "until", "statistics", "impacts", "window", "spans", "losses", "window_energy", "efficiency_uncertainty",
+                   "pitch_time_uncertainty"):
         check(parts[member] == fine[member], f"after a checkpoint another {member}: {parts[member]} for {fine[member]}")
 
     early, said = run("early", 1e3 * (window["start"] + 0.7 * (window["end"] - window["start"])), "tight_tension_mean=0.001")

@@ -2,7 +2,10 @@
 #include <chaindrive/observe/known_names.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/window_statistics.h>
+#include <chaindrive/utilities/batch_means.h>
 #include <chaindrive/utilities/statistics.h>
+
+#include <boost/serialization/vector.hpp>
 
 #include <algorithm>
 #include <string>
@@ -26,6 +29,7 @@ public:
     for (std::size_t s = 0; s < now.scene.drive.spans.size(); ++s)
       means_.push_back({WindowMean(now.window().start(), now.window().end()),
                         WindowMean(now.window().start(), now.window().end())});
+    periods_.resize(means_.size());
   }
 
   bool reads_bodies() const override { return false; }
@@ -54,7 +58,11 @@ public:
         contents.summary.end(),
         {{"spans/*/label", "", "tight or slack, by its mean tension, or nothing"},
          {"spans/*/tension_mean", "N", "tension of the span, mean"},
-         {"spans/*/speed_mean", "m/s", "speed of the span along itself, mean"}});
+         {"spans/*/tension_uncertainty", "N", "of this mean: half of its 95 % confidence interval"},
+         {"spans/*/speed_mean", "m/s", "speed of the span along itself, mean"},
+         {"spans/*/speed_uncertainty",
+          "m/s",
+          "of this mean: half of its 95 % confidence interval"}});
     contents.summary.insert(contents.summary.end(),
                             {{"span_speed_mean", "m/s", "speed of the tight span, mean"},
                              {"tight_tension_mean", "N", "tension of the tight span, mean"},
@@ -109,6 +117,8 @@ public:
             mean->move_to(now_.window().start(), now_.window().end());
         means_[s].tension.add(from, now_.dt(), spans.of(s).tension);
         means_[s].speed.add(from, now_.dt(), spans.of(s).speed);
+        periods_[s].tension.add(spans.of(s).tension, now_.tooth_pieces());
+        periods_[s].speed.add(spans.of(s).speed, now_.tooth_pieces());
       }
   }
 
@@ -123,6 +133,7 @@ public:
       return one.tension.mean() < other.tension.mean();
     };
     const auto [slack, tight] = std::minmax_element(means_.begin(), means_.end(), by_tension);
+    const unsigned int least  = now_.window().pitches_per_period();
     for (auto means = means_.begin(); means != means_.end(); ++means)
       summary["spans"][now_.scene.drive.spans[means - means_.begin()].name] = {
           {"label",
@@ -130,7 +141,11 @@ public:
            means == slack ? "slack" :
                             ""},
           {"tension_mean", means->tension.mean()},
-          {"speed_mean", means->speed.mean()}};
+          {"tension_uncertainty",
+           uncertainty_of_mean(periods_[means - means_.begin()].tension.values(), least)},
+          {"speed_mean", means->speed.mean()},
+          {"speed_uncertainty",
+           uncertainty_of_mean(periods_[means - means_.begin()].speed.values(), least)}};
   }
 
   void serialize(const Archive &archive) override
@@ -138,6 +153,12 @@ public:
     archive("tight tension of the start", tight_tension_start_);
     statistics_.serialize(archive / "statistics");
     archive.numbers("means", means_);
+    for (std::size_t s = 0; s < periods_.size(); ++s)
+      {
+        const Archive of_span = archive / ("tooth periods of span " + std::to_string(s));
+        of_span("tension", periods_[s].tension);
+        of_span("speed", periods_[s].speed);
+      }
   }
 
 private:
@@ -181,9 +202,15 @@ private:
     WindowMean tension, speed;
   };
 
-  std::vector<Means> means_; ///< of each span
-  WindowStatistics   statistics_;
-  double             tight_tension_start_ = 0.; ///< largest, N
+  struct Periods
+  {
+    RevolutionMeans tension, speed;
+  };
+
+  std::vector<Means>   means_;   ///< of each span
+  std::vector<Periods> periods_; ///< its means over tooth periods
+  WindowStatistics     statistics_;
+  double               tight_tension_start_ = 0.; ///< largest, N
 };
 
 const Registered<SpansQuantity>
