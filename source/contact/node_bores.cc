@@ -323,11 +323,14 @@ void NodeBores::couple_lanes(const World &world, Group &group, const unsigned in
           strips = found;
           wall   = coupled.wall.get();
         }
+      double angle = 0.; // of the bush
       if (strips != nullptr)
-        strips->bush = record.slave;
-      const auto &rotation = world.frames[record.slave].rotation;
-      group.batches[b]->couple(
-          static_cast<int>(lane), strips, wall, std::atan2(rotation[1][0], rotation[0][0]));
+        {
+          strips->bush         = record.slave;
+          const auto &rotation = world.frames[record.slave].rotation;
+          angle                = std::atan2(rotation[1][0], rotation[0][0]);
+        }
+      group.batches[b]->couple(static_cast<int>(lane), strips, wall, angle);
     }
 }
 

@@ -197,4 +197,23 @@ int main(int argc, char ** /*argv*/)
             most - least < 0.05e-6,
             1e6 * (most - least));
     }
+
+  // strips near a roller's centre, from the seat out to the tips and far away, one by one
+  unsigned int n_found = 0, n_wrong = 0;
+  for (const double x : {0.8, 0.95, 1., 1.02, 1.2})
+    for (const double y : {-0.1, -0.01, 0., 0.03})
+      for (const double distance : {0.5 * R, R, 1.001 * R, 1.1 * R, 3. * R})
+        {
+          dealii::Tensor<1, 2> centre;
+          centre[0] = x * 0.5 * form.pitch_diameter;
+          centre[1] = y * 0.5 * form.pitch_diameter;
+          std::vector<unsigned int> found, near = {7};
+          for (unsigned int s = 0; s < profile.strips().size(); ++s)
+            if ((profile.strips()[s].middle - centre).norm() <= distance)
+              found.push_back(s);
+          profile.find_near(centre, distance, near);
+          n_found += found.size();
+          n_wrong += near == found ? 0 : 1;
+        }
+  verdict("strips near a point, several thousand of 100 points", n_wrong == 0 && n_found > 2000);
 }
