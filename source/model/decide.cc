@@ -395,6 +395,8 @@ Decision stiffness_curves(const Parameters &p, const Decision &planar)
     return off("elastic bodies deflect themselves");
   if (!p.model.capabilities().has_clearances)
     return off("fidelity " + p.model.fidelity + ": a roller is one lump with its links");
+  if (!has_rollers(p))
+    return off(no_rollers);
   if (p.effects.stiffness_curves != Switch::on)
     return off(p.effects.stiffness_curves == Switch::off ?
                    switched(Switch::off, "Effects") :
@@ -402,7 +404,7 @@ Decision stiffness_curves(const Parameters &p, const Decision &planar)
   if (p.model.stiffness_from == parameters::StiffnessFrom::dimensions)
     return off("Model/Stiffness from = dimensions knows no curves");
   if (p.model.stiffness_per_pitch && p.contact.roller_tooth_stiffness &&
-      (p.contact.roller_bush_stiffness || !has_rollers(p)))
+      p.contact.roller_bush_stiffness)
     return off("all stiffnesses are given");
   if (p.contact.oil_viscosity > 0. && p.effects.oil_film != Switch::off)
     return off("oil films stand on contacts of one stiffness");

@@ -104,7 +104,8 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
       "Stiffnesses of layered fidelity that are auto follow from the elastic parts "
       "(Model/Stiffness "
       "from = parts) at every load, and that of roller and tooth at every place, too: teeth are "
-      "softer above the bottom of the gap. It needs planar motion and no oil film. auto: off, each "
+      "softer above the bottom of the gap. It needs rollers, planar motion and no oil film. auto: "
+      "off, each "
       "is one number, force over approach at the tension required by the load and at the bottom of "
       "the gap. on: what doc/accuracy-and-cost.md says of it.");
 }

@@ -61,6 +61,7 @@ def main():
     refused({"Model/Fidelity": "simple"}, "one lump")
     refused({"Model/Fidelity": "full"}, "elastic")
     refused({"Effects/Planar motion": "off"}, "not planar")
+    refused({"Drive/Chain/Rollers": "off"}, "no rollers")
     refused({"Model/Stiffness from": "dimensions"}, "knows no curves")
     refused({**given, BUSH: 1e8}, "all stiffnesses are given")
     refused({"Contact/Oil viscosity in mPa s": 100}, "oil films")
