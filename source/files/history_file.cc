@@ -180,7 +180,7 @@ struct HistoryFile::Data
   }
 
   /// Writes the chunks of the block that begins with row @p first.
-  void put(const std::size_t first, const std::vector<PackedChunk> &chunks)
+  void write_block(const std::size_t first, const std::vector<PackedChunk> &chunks)
   {
     constexpr unsigned not_deflated = 1U << 1; // of the filters shuffle and deflate the second
     const hsize_t      start[2]     = {first, 0};
@@ -288,7 +288,7 @@ std::string HistoryFile::compress(const std::string            &path,
       for (std::size_t first = 0; first < d.rows; first += d.block)
         if (const std::vector<PackedChunk> *chunks = packed.find(first);
             chunks != nullptr && d.block == packed.block())
-          d.put(first, *chunks);
+          d.write_block(first, *chunks);
         else
           {
             const std::size_t n = std::min(d.block, d.rows - first);
@@ -296,7 +296,7 @@ std::string HistoryFile::compress(const std::string            &path,
             for (std::size_t t = 0; t < tables.size(); ++t)
               values[t].resize(d.block * tables[t].columns);
             from.read(first, n, values);
-            d.put(first, packer.pack(n, values));
+            d.write_block(first, packer.pack(n, values));
           }
       to.close(d.rows);
       sync_file(part); // its name must not be there before its content

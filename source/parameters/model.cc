@@ -243,8 +243,8 @@ void Mesh::declare(Declarations &declarations)
       4,
       "Refinement of the part meshes; each level about halves the cell edges. Rigid and lumped "
       "bodies need meshes for field output only: their contact, mass and inertia are exact at "
-      "every level. The entries of the subsections change single numbers of cells; auto: those of "
-      "the refinement.");
+      "every level, and one cell reaches across the chain where no entry asks for more. The "
+      "entries of the subsections change single numbers of cells; auto: those of the refinement.");
   {
     const Subsection roller(declarations, "Roller");
     add(declarations, "Cells through wall", roller_wall, 1, 20, "Through the wall of a roller.");
