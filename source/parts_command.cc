@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <unistd.h>
 
 namespace chaindrive
@@ -174,8 +175,9 @@ void print_vibrations(std::ostream       &out,
                       const MPI_Comm      comm)
 {
   // with modes that are not symmetric
-  const model::Meshes           whole{parameters.mesh, parameters.material.density, false};
-  const reduction::BasisOptions options = reduction::options_of(parameters.reduction);
+  const model::Meshes     whole{parameters.mesh, parameters.material.density, false};
+  reduction::BasisOptions options = reduction::options_of(parameters.reduction);
+  options.fastest_of_links        = std::numeric_limits<double>::infinity(); // their own ones
   out << "\nVibration of parts as section Mesh divides them, which nothing holds: natural "
          "frequencies up to "
       << to_text(1e-3 * options.modes_up_to / (2. * PI), 4)
