@@ -195,7 +195,8 @@ void print_table(std::ostream    &out,
                  const Answer    &answer,
                  const RunAtHand &here,
                  const Costs     &costs,
-                 const double     wanted)
+                 const double     wanted,
+                 const bool       until) // whether Output/Until asks for it
 {
   std::size_t width = 5;
   for (const Candidate &one : answer.all)
@@ -225,8 +226,9 @@ void print_table(std::ostream    &out,
            std::isfinite(cost) ? to_text(cost, 2) : "-",
            !one.suffices()             ? "no" :
            one.pitches <= here.pitches ? "yes" :
-                                         "yes, with a window of " +
-                                             to_text(std::ceil(one.pitches)) + " pitches"});
+           until ? "yes, with Output/Until of " + to_text(100. * room_for_run(one, wanted), 2) +
+                       " %" :
+                   "yes, with a window of " + to_text(std::ceil(one.pitches)) + " pitches"});
     }
 }
 
@@ -430,7 +432,7 @@ void print_answers(std::ostream                   &out,
         line << "no model; the best is " << in_words(*answer.best)
              << in_percent(answer.best->model.error) << " (" << interval_text(answer.best->model)
              << ") in a long window; " << entries_text(answer.best->model) << '\n';
-      print_table(line, answer, here, costs, wanted);
+      print_table(line, answer, here, costs, wanted, here.until.count(output) > 0);
       line << sources_text(here, numerics, sampling, estimated);
       if (expected && !answer.found.empty())
         line << "  Such intervals hold 90 of 100 drives. This measures yours: "
