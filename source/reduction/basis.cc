@@ -205,11 +205,13 @@ Basis make_basis(const FreePart            &part,
   return basis;
 }
 
-Vector massless_displacement(const FreePart &part, const Basis &basis, const Vector &force)
+std::vector<Vector>
+massless_displacements(const FreePart &part, const Basis &basis, const std::vector<Vector> &forces)
 {
-  Vector u = part.displacement(force);
-  for (unsigned int i = 0; i < basis.size(); ++i)
-    u.add(-(force * basis.modes[i]) / (basis.omega[i] * basis.omega[i]), basis.modes[i]);
+  std::vector<Vector> u = part.displacements(forces);
+  for (std::size_t f = 0; f < u.size(); ++f)
+    for (unsigned int i = 0; i < basis.size(); ++i)
+      u[f].add(-(forces[f] * basis.modes[i]) / (basis.omega[i] * basis.omega[i]), basis.modes[i]);
   return u;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/reduction/free_part.h>
 
-#include <deal.II/base/index_set.h>
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/trilinos_solver.h>
+#include <deal.II/base/exceptions.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_vector.h>
 
+#include <Amesos.h>
+#include <Epetra_LinearProblem.h>
+#include <Epetra_MultiVector.h>
 #include <algorithm>
 #include <cmath>
 
@@ -193,32 +193,53 @@ dealii::SparseMatrix<double> FreePart::supported_stiffness() const
   return supported;
 }
 
-/// Its factors by Amesos, which solves without refinement.
+/// Its factors by KLU, which solves for four forces at a time and without refinement.
 struct FreePart::QuickInverse
 {
   explicit QuickInverse(const dealii::SparseMatrix<double> &stiffness)
-      : solver(control), u(dealii::complete_index_set(stiffness.m()), MPI_COMM_SELF), force(u)
   {
     matrix.reinit(stiffness);
-    solver.initialize(matrix);
+    // Amesos takes operators that it might change, and does not
+    problem.SetOperator(const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
+    solver.reset(Amesos().Create("Amesos_Klu", problem));
+    check(solver->SymbolicFactorization());
+    check(solver->NumericFactorization());
   }
 
-  dealii::SolverControl                  control;
+  /// The @p forces become their displacements.
+  void solve(std::vector<Vector> &forces)
+  {
+    constexpr std::size_t at_a_time = 16; // they stay in the cache
+    for (std::size_t first = 0; first < forces.size(); first += at_a_time)
+      {
+        const int          n = std::min(at_a_time, forces.size() - first);
+        Epetra_MultiVector f(matrix.trilinos_matrix().RowMap(), n, false), u(f);
+        for (int i = 0; i < n; ++i)
+          std::copy(forces[first + i].begin(), forces[first + i].end(), f[i]);
+        problem.SetRHS(&f);
+        problem.SetLHS(&u);
+        check(solver->Solve());
+        for (int i = 0; i < n; ++i)
+          std::copy_n(u[i], forces[first + i].size(), forces[first + i].begin());
+      }
+  }
+
+  static void check(const int error)
+  {
+    AssertThrow(error == 0, dealii::ExcMessage("KLU cannot solve for displacements of a part"));
+  }
+
   dealii::TrilinosWrappers::SparseMatrix matrix;
-  dealii::TrilinosWrappers::SolverDirect solver;
-  dealii::TrilinosWrappers::MPI::Vector  u, force;
+  Epetra_LinearProblem                   problem;
+  std::unique_ptr<Amesos_BaseSolver>     solver;
+  std::vector<Vector>                    inertia; ///< M R of each rigid motion
 };
 
 FreePart::~FreePart() = default;
 
-void FreePart::expect_many_forces()
-{
-  quick_ = std::make_unique<QuickInverse>(supported_stiffness());
-}
-
 Vector FreePart::displacement(const Vector &force) const
 {
-  if (!inverse_ && !quick_)
+  if (!inverse_)
     {
       inverse_ = std::make_unique<dealii::SparseDirectUMFPACK>();
       inverse_->initialize(supported_stiffness());
@@ -235,16 +256,35 @@ Vector FreePart::displacement(const Vector &force) const
     }
   for (const unsigned int i : fixed_unknowns())
     balanced[i] = 0.;
-  if (quick_)
-    {
-      std::copy(balanced.begin(), balanced.end(), quick_->force.begin());
-      quick_->solver.solve(quick_->u, quick_->force);
-      std::copy(quick_->u.begin(), quick_->u.end(), u.begin());
-    }
-  else
-    inverse_->vmult(u, balanced);
+  inverse_->vmult(u, balanced);
   for (const Vector &motion : rigid_)
     u.add(-mass_product(motion, u), motion);
+  return u;
+}
+
+std::vector<Vector> FreePart::displacements(const std::vector<Vector> &forces) const
+{
+  if (!quick_)
+    {
+      quick_ = std::make_unique<QuickInverse>(supported_stiffness());
+      quick_->inertia.assign(rigid_.size(), Vector(n_unknowns()));
+      for (std::size_t m = 0; m < rigid_.size(); ++m)
+        mass_.vmult(quick_->inertia[m], rigid_[m]);
+    }
+  const std::vector<Vector>      &inertia = quick_->inertia;
+  const std::vector<unsigned int> fixed   = fixed_unknowns();
+  std::vector<Vector>             u       = forces;
+  for (std::size_t f = 0; f < u.size(); ++f)
+    {
+      for (std::size_t m = 0; m < rigid_.size(); ++m)
+        u[f].add(-(rigid_[m] * forces[f]), inertia[m]);
+      for (const unsigned int i : fixed)
+        u[f][i] = 0.;
+    }
+  quick_->solve(u);
+  for (Vector &of_force : u)
+    for (std::size_t m = 0; m < rigid_.size(); ++m)
+      of_force.add(-(inertia[m] * of_force), rigid_[m]);
   return u;
 }
 } // namespace chaindrive::reduction

@@ -5,8 +5,8 @@
 // have by default within 8 % from three tenths of a working load on, for three chains; at a tenth
 // of it it is stiffer by less than 15 %, since contact is narrower than a column there. Links keep
 // their centres of mass and directions; those at the ends are stretched to one side only. Peaks of
-// pressure are lower than there on meshes of runs, and higher on fine ones. With the penalty of full
-// and meshes of equally long cells the joint is softer by more than 5 %.
+// pressure are lower than there on meshes of runs, and higher on fine ones. With the penalty of
+// full and meshes of equally long cells the joint is softer by more than 5 %.
 #include "../support/joined_links.h"
 
 #include <chaindrive/bodies/make_world.h>

@@ -17,7 +17,7 @@ struct Approaches
 
 /// The curve with the least squares of relative errors of the force at each of @p places: one, or
 /// two or three of which the first is 0 and the last the end. Its depth is that of the approaches
-/// at the first of them with which the squares are least; #unit and #bottom are left to be set.
+/// at the first of them with which the squares are least; its unit and bottom are left to be set.
 /// Where a fit has no positive stiffness, or polynomials have none between the places, the secant
 /// of the largest force stands at each place, and lines between the first and the last.
 /// @throws std::logic_error for other numbers of places, or less than two forces at one of them.

@@ -72,10 +72,11 @@ Basis make_basis(const FreePart            &part,
 /// Basis::joints.
 double static_compliance(const Basis &basis, const Vector &force);
 
-/// What the modes of the @p basis leave of the displacement under the @p force [N] on the nodes of
-/// @p part, relative to the motion of a rigid body, m: C_r f = G f - Phi W^-2 Phi^T f, with G of
-/// FreePart::displacement(). It follows forces without inertia.
-Vector massless_displacement(const FreePart &part, const Basis &basis, const Vector &force);
+/// What the modes of the @p basis leave of the displacement under each of the @p forces [N] on the
+/// nodes of @p part, relative to the motion of a rigid body, m: C_r f = G f - Phi W^-2 Phi^T f,
+/// with G of FreePart::displacements(). It follows forces without inertia.
+std::vector<Vector>
+massless_displacements(const FreePart &part, const Basis &basis, const std::vector<Vector> &forces);
 
 /// The part of the compliance f . u under the @p force that the @p basis, with Basis::joints,
 /// lacks.

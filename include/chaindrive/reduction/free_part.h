@@ -63,9 +63,9 @@ public:
   /// K u = f - M R R^T f, R^T M u = 0 (inertia relief).
   Vector displacement(const Vector &force) const;
 
-  /// From now on displacement() is for many forces: it no longer refines its solutions, which costs
-  /// several times as much as they do. They lose a few of their digits.
-  void expect_many_forces();
+  /// The same for each of many forces, without refining the solutions, which costs several times as
+  /// much as they do: they lose a few of their digits.
+  std::vector<Vector> displacements(const std::vector<Vector> &forces) const;
 
 private:
   /// Whether K and M commute with this reflection, as they do if it is a symmetry.
@@ -91,6 +91,6 @@ private:
   mutable std::unique_ptr<dealii::SparseDirectUMFPACK> inverse_;
 
   struct QuickInverse;
-  std::unique_ptr<QuickInverse> quick_; ///< in its place, if many forces are expected
+  mutable std::unique_ptr<QuickInverse> quick_; ///< the same for many forces
 };
 } // namespace chaindrive::reduction
