@@ -27,9 +27,9 @@ constexpr double elements_per_joint = 170.;
 constexpr double elements_per_mode = 2.;
 
 /// What the first rank spends on observing the run and writing results, over what reduced bodies
-/// and their joints cost all ranks: 36 of 560 us per step of reduced-half without penalty, with a
-/// sample every 5 us (doc/performance.md).
-constexpr double observing_share = 0.065;
+/// and their joints cost all ranks: 0.04 in reduced-half and 0.02 in reduced without penalty, with
+/// a sample every 5 us and fields every millisecond (doc/performance.md).
+constexpr double observing_share = 0.03;
 
 /// The number of units that @p bodies of reduced parts are, whole batches of all of them; 0: they
 /// are not as many of all parts.
