@@ -5,6 +5,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <boost/serialization/utility.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
