@@ -203,9 +203,8 @@ def stop_early():
 
 def stop():
     stop_early()
-    for fidelity, ranks in (("layered", 1), ("full", 2), ("reduced", 2)):
-        end = {"Time/End time in ms": 0.3 if fidelity in ELASTIC else 200}  # long enough to be stopped three times
-        entries = {**drive(fidelity), **end}
+    for fidelity, ranks, end in (("layered", 1, 200), ("full", 2, 0.3), ("reduced", 2, 0.8)):  # long enough to be stopped three times
+        entries = {**drive(fidelity), "Time/End time in ms": end}
         fresh("through", "resumed")
         run("through", entries, ranks=ranks)
         for number in (signal.SIGTERM, signal.SIGINT):
