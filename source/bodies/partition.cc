@@ -111,7 +111,6 @@ std::vector<unsigned int> spread_pieces(const unsigned int n_pieces,
   wanted.back() -= 2 * n_units - n_pieces;
 
   // the first piece is the first rank's, since the last one, beside it, is another's
-  // the first piece is the first rank's, since the last one, beside it, is another's
   std::vector<unsigned int> given(n_ranks, 0), ranks;
   for (unsigned int piece = 0; piece < n_pieces; ++piece)
     {

@@ -3,14 +3,11 @@
 // roller that meets a bush in its bore or a tooth has the peak force of the system of two masses
 // and two springs, whatever the direction, and rings at its frequency afterwards; pressed from both
 // sides of its wall it stays round; and whatever bush, roller and teeth do, energy stays.
-#include "../support/scenes.h"
+#include "../support/planar_roller.h"
 
 #include <chaindrive/bodies/planar_bodies.h>
 #include <chaindrive/contact/planar_contact.h>
-#include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/roller_ring.h>
-#include <chaindrive/drive/tooth_form.h>
-#include <chaindrive/parameters/drive.h>
 #include <chaindrive/utilities/simd.h>
 
 #include <algorithm>
@@ -20,12 +17,12 @@
 #include <vector>
 
 using namespace test;
+using namespace test::planar_roller;
 using dealii::numbers::PI;
 
 namespace
 {
-const double roller_mass = 2e-3, bore_radius = 3.76e-3, bush_radius = 3.7e-3, radius = 5.08e-3,
-             k = 2e8; // N/m, of the contact
+constexpr double        roller_mass = planar_roller::mass;
 const Material          steel;
 const drive::RollerRing ring = drive::oval_of_ring(bore_radius, radius, 7e-3, steel);
 
@@ -62,55 +59,13 @@ struct Impact
   double frequency[2], force[2], peak = 0.;
 };
 
-/// A roller whose bore the body 1 is in, at rest unless told otherwise.
+/// Those of planar_roller.h with a roller that becomes oval.
 scene::Scene
 roller_and_bush(const double bush_mass, const Vector3 &roller_at, const Vector3 &bush_at)
 {
-  scene::Scene scene     = empty_scene();
-  scene.prestress        = 1e9; // overlaps are meant
-  scene.planar           = true;
-  scene.oval             = ring;
-  scene.bodies           = {body(scene::Motion::rigid,
-                       scene::Mount::free(),
-                       roller_mass,
-                       vector(1e-8, 1e-8, 2e-8),
-                       roller_at),
-                            body(scene::Motion::rigid,
-                       scene::Mount::free(),
-                       bush_mass,
-                       vector(1e-7, 1e-7, 2e-7),
-                       bush_at)};
-  scene.bodies[1].kind   = scene::Kind::inner_link;
-  scene.bodies[1].number = 0;
-  scene.bores            = {{"roller-bush",
-                             scene::Interface::roller_bush,
-                             {k, 0., 0., 0., 0.},
-                             {{0, dealii::Point<3>(), bore_radius, {1, dealii::Point<3>(), bush_radius, 0}}}}};
+  scene::Scene scene = planar_roller::roller_and_bush(bush_mass, roller_at, bush_at);
+  scene.oval         = ring;
   return scene;
-}
-
-drive::ToothForm form()
-{
-  parameters::Sprockets sprockets;
-  sprockets.driver().outside_diameter = 81e-3;
-  return drive::make_tooth_form(15, drive::make_chain(parameters::Chain()), sprockets, 0);
-}
-
-void add_teeth(scene::Scene &scene, const drive::ToothForm &form)
-{
-  const auto sprocket = static_cast<unsigned int>(scene.bodies.size());
-  scene.bodies.push_back(ground());
-  scene.bodies.back().kind = scene::Kind::sprocket;
-  scene::ToothFamily teeth;
-  teeth.name         = "roller-driver";
-  teeth.sprocket     = sprocket;
-  teeth.form         = std::make_shared<const drive::ToothForm>(form);
-  teeth.teeth        = form.teeth;
-  teeth.outer_radius = 0.5 * form.outside_diameter;
-  teeth.half_width   = 4e-3;
-  teeth.law          = {k, 0., 0., 0., 0.};
-  teeth.slaves       = {{0, dealii::Point<3>(), radius, 0}};
-  scene.teeth        = {teeth};
 }
 
 /// The largest force of the first touch and, of what follows, the mean of the oval's half periods,

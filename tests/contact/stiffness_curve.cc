@@ -5,13 +5,10 @@
 // that its energy makes; a roller anywhere on a seat bears what the curve says there; whatever
 // bush, roller and teeth do, energy stays, also on the way around; and the critical time step is
 // that of the largest tangent stiffness.
-#include "../support/scenes.h"
+#include "../support/planar_roller.h"
 
 #include <chaindrive/contact/planar_contact.h>
-#include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/stiffness_fit.h>
-#include <chaindrive/drive/tooth_form.h>
-#include <chaindrive/parameters/drive.h>
 #include <chaindrive/utilities/simd.h>
 #include <chaindrive/utilities/text.h>
 
@@ -22,12 +19,12 @@
 #include <vector>
 
 using namespace test;
+using namespace test::planar_roller;
 using dealii::numbers::PI;
 
 namespace
 {
-const double roller_mass = 2e-3, bore_radius = 3.76e-3, bush_radius = 3.7e-3, radius = 5.08e-3,
-             k = 2e8; // N/m
+constexpr double roller_mass = planar_roller::mass;
 
 /// One curve for all places.
 drive::StiffnessCurve joint(const double first, const double last, const double depth)
@@ -35,42 +32,15 @@ drive::StiffnessCurve joint(const double first, const double last, const double 
   return {{first, 0., 0.}, {last, 0., 0.}, depth};
 }
 
-/// A bush of @p bush_mass [kg], body 1, in the bore of a roller, body 0.
+/// Those of planar_roller.h with this @p curve.
 scene::Scene roller_and_bush(const double                 bush_mass,
                              const Vector3               &roller_at,
                              const Vector3               &bush_at,
                              const drive::StiffnessCurve &curve)
 {
-  scene::Scene scene     = empty_scene();
-  scene.prestress        = 1e9; // overlaps are meant
-  scene.planar           = true;
-  scene.bodies           = {body(scene::Motion::rigid,
-                       scene::Mount::free(),
-                       roller_mass,
-                       vector(1e-8, 1e-8, 2e-8),
-                       roller_at),
-                            body(scene::Motion::rigid,
-                       scene::Mount::free(),
-                       bush_mass,
-                       vector(1e-7, 1e-7, 2e-7),
-                       bush_at)};
-  scene.bodies[1].kind   = scene::Kind::inner_link;
-  scene.bodies[1].number = 0;
-  scene::BoreFamily bores;
-  bores.name      = "roller-bush";
-  bores.interface = scene::Interface::roller_bush;
-  bores.law       = {k, 0., 0., 0., 0.};
-  bores.pairs     = {{0, dealii::Point<3>(), bore_radius, {1, dealii::Point<3>(), bush_radius, 0}}};
-  bores.curve     = curve;
-  scene.bores     = {bores};
+  scene::Scene scene   = planar_roller::roller_and_bush(bush_mass, roller_at, bush_at);
+  scene.bores[0].curve = curve;
   return scene;
-}
-
-drive::ToothForm form()
-{
-  parameters::Sprockets sprockets;
-  sprockets.driver().outside_diameter = 81e-3;
-  return drive::make_tooth_form(15, drive::make_chain(parameters::Chain()), sprockets, 0);
 }
 
 /// Half as stiff at the end of the seat, and stiffer where it bears more.
@@ -87,20 +57,8 @@ drive::StiffnessCurve teeth_of(const drive::ToothForm &form)
 
 void add_teeth(scene::Scene &scene, const drive::ToothForm &form)
 {
-  const auto sprocket = static_cast<unsigned int>(scene.bodies.size());
-  scene.bodies.push_back(ground());
-  scene.bodies.back().kind = scene::Kind::sprocket;
-  scene::ToothFamily teeth;
-  teeth.name         = "roller-driver";
-  teeth.sprocket     = sprocket;
-  teeth.form         = std::make_shared<const drive::ToothForm>(form);
-  teeth.teeth        = form.teeth;
-  teeth.outer_radius = 0.5 * form.outside_diameter;
-  teeth.half_width   = 4e-3;
-  teeth.law          = {k, 0., 0., 0., 0.};
-  teeth.slaves       = {{0, dealii::Point<3>(), radius, 0}};
-  teeth.curve        = teeth_of(form);
-  scene.teeth        = {teeth};
+  planar_roller::add_teeth(scene, form);
+  scene.teeth[0].curve = teeth_of(form);
 }
 
 /// The largest force and the duration [s] of the impact of a roller that flies onto a bush which
