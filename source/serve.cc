@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/serve.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/memory.h>
 
 #include <algorithm>
 #include <array>
@@ -244,7 +245,8 @@ private:
       return {};
     const Request request = is_own_user(connection) ? receive(connection) : Request();
     const pid_t   parent  = ::getpid();
-    const pid_t   process = request.is_whole() ? ::fork() : -1;
+    remember_pages_of_files();
+    const pid_t process = request.is_whole() ? ::fork() : -1;
     if (process == 0)
       {
         ::prctl(PR_SET_PDEATHSIG, SIGTERM);

@@ -78,9 +78,8 @@ struct Model
 /// What estimates of the cost of runs need, which copies of this process make.
 struct Estimating
 {
-  std::string folder;      ///< a temporary one; empty: nothing is to be estimated
-  double      cpu    = 0.; ///< that this process has taken until then, as each run will, s
-  double      memory = 0.; ///< its peak, bytes: what copies find there is not counted as theirs
+  std::string folder;   ///< a temporary one; empty: nothing is to be estimated
+  double      cpu = 0.; ///< that this process has taken until then, as each run will, s
 };
 
 /// How many are at work at a time.
@@ -198,7 +197,7 @@ files::Json prepare(const Run &run, const bool all, const Estimating &estimating
     return {};
   ::setenv("TMPDIR", estimating.folder.c_str(), 1); // of a process that ends with this check
   const Cost cost = measure_cost(simulation, {"."}, estimating.cpu);
-  return {{"cpu", cost.total()}, {"memory", cost.memory + estimating.memory}};
+  return {{"cpu", cost.total()}, {"memory", cost.memory}};
 }
 
 /// Completes and checks all runs of @p model. Returns the sentences of those that cannot run: one
@@ -350,9 +349,7 @@ void check_all(std::vector<Model>           &models,
     std::optional<files::TemporaryDirectory> scratch; // in which copies of this process may die
     if (start_up)
       scratch.emplace(MPI_COMM_SELF);
-    const Estimating estimating =
-        scratch ? Estimating{scratch->path(), *start_up, observe::memory_peak(MPI_COMM_SELF)} :
-                  Estimating();
+    const Estimating estimating = scratch ? Estimating{scratch->path(), *start_up} : Estimating();
     recall_estimates(models, directory);
     CheckProgress progress(log, models.size());
     results = do_in_processes(

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/summary.h>
+#include <chaindrive/utilities/memory.h>
 #include <chaindrive/utilities/ranks.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
 
 #include <boost/serialization/utility.hpp>
 
@@ -95,9 +95,7 @@ files::Json cpu_seconds(const std::vector<PhaseTimer::Row> &rows)
 
 double memory_peak(const MPI_Comm comm)
 {
-  dealii::Utilities::System::MemoryStats memory; // in KiB
-  dealii::Utilities::System::get_memory_stats(memory);
-  return 1024. * dealii::Utilities::MPI::sum(static_cast<double>(memory.VmHWM), comm);
+  return dealii::Utilities::MPI::sum(largest_memory(), comm);
 }
 
 std::vector<PhaseTimer::OfRank> of_ranks(const MPI_Comm comm)

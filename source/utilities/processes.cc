@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/memory.h>
 #include <chaindrive/utilities/processes.h>
 #include <chaindrive/utilities/signals.h>
 
@@ -118,6 +119,7 @@ public:
     int         ends[2] = {-1, -1};
     const pid_t parent  = ::getpid();
     const bool  piped   = ::pipe(ends) == 0;
+    remember_pages_of_files();
     const pid_t process = piped ? ::fork() : -1;
     if (process == 0)
       {

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """copies.py PROGRAM: copies of a server (`chaindrive serve`) do what programs do that are started as usual."""
+import json
 import os
 import pathlib
 import shutil
@@ -72,6 +73,9 @@ def same():
                 check(getattr(copy, name) == getattr(done, name), f"{done.args}: {name} is another one: {copy}")
         check(begin(*words[1:], "served").wait() == 0, "a run by the server")
         check(histories("usual") == histories("served") != {}, "the histories differ")
+        # libraries, three quarters of it, are loaded by the server: the system does not count their pages in a copy
+        usually, here = (json.loads(pathlib.Path(name, "summary.json").read_text())["memory_peak"] for name in ("usual", "served"))
+        check(0.85 < here / usually < 1.1, f"memory: {here} B by the server, {usually} B as usual")
         copy = served.run([PROGRAM, "--version"], {**os.environ, "CHAINDRIVE_SIMD_WIDTH": "1"})
         check("one number at a time" in copy.stdout, f"the environment is another one: {copy}")
         os.makedirs("below", exist_ok=True)
