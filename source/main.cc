@@ -51,6 +51,23 @@ struct Successor
   int                      status = 3; ///< then
 };
 
+/// Whether a pipe that this process writes to has no reader any more, as of "... | head".
+bool nobody_reads()
+{
+  pollfd output{STDOUT_FILENO, 0, 0};
+  return ::poll(&output, 1, 0) == 1 && (output.revents & (POLLERR | POLLHUP)) != 0;
+}
+
+constexpr const char *unwritten = "Standard output could not be written.";
+
+/// To be called after a command whose answer stands on standard output alone: RunError if it does
+/// not, although there is a reader.
+void check_output()
+{
+  if (files::Console::output_was_refused() && !nobody_reads())
+    throw RunError(unwritten);
+}
+
 /// Does what the command line asks for; returns the status.
 int run(const int argc, char **argv, const bool is_first_rank, Successor &successor)
 {
@@ -66,9 +83,13 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
         return directory ? 0 : 4;
       }
     case Command::plan:
-      return plan_command(command_line, MPI_COMM_WORLD) ? 0 : 4;
+      if (!plan_command(command_line, MPI_COMM_WORLD))
+        return 4;
+      check_output();
+      break;
     case Command::parts:
       parts_command(command_line, MPI_COMM_WORLD);
+      check_output();
       break;
     case Command::noise:
       if (is_first_rank)
@@ -76,9 +97,13 @@ int run(const int argc, char **argv, const bool is_first_rank, Successor &succes
       break;
     case Command::study:
       successor = {study_command(command_line, MPI_COMM_WORLD), packages_of_studies()};
+      if (command_line.dry_run)
+        check_output();
       return stop_signal() == 0 ? 0 : 4;
     case Command::calibrate:
       successor = {calibrate_command(command_line, MPI_COMM_WORLD), packages_of_studies()};
+      if (command_line.dry_run)
+        check_output();
       return stop_signal() == 0 ? 0 : 4;
     case Command::report:
       successor = {report_command(command_line, MPI_COMM_WORLD), packages_of_reports()};
@@ -200,13 +225,6 @@ int end_together(const End &end, const bool is_first_rank, const MPI_Comm comm)
   return dealii::Utilities::MPI::max(end.status, comm);
 }
 
-/// Whether a pipe that this process writes to has no reader any more, as of "... | head".
-bool nobody_reads()
-{
-  pollfd output{STDOUT_FILENO, 0, 0};
-  return ::poll(&output, 1, 0) == 1 && (output.revents & (POLLERR | POLLHUP)) != 0;
-}
-
 /// Writes what is left for standard output; returns the status, of a failed run if that fails.
 /// PETSc would report at length that it cannot when it ends.
 int end_output(const int status)
@@ -217,7 +235,7 @@ int end_output(const int status)
   const bool had_enough = nobody_reads();
   if (std::freopen("/dev/null", "w", stdout) == nullptr || had_enough)
     return status;
-  std::cerr << "chaindrive: Standard output could not be written." << std::endl;
+  std::cerr << "chaindrive: " << unwritten << std::endl;
   return std::max(status, 3);
 }
 

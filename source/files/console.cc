@@ -4,6 +4,7 @@
 #include <chaindrive/utilities/signals.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <condition_variable>
 #include <csignal>
@@ -23,6 +24,8 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds patience_after_signal = 2s;
+
+std::atomic<bool> output_refused = false; ///< see Console::output_was_refused()
 
 /// What the program and the thread that writes share; the last of them frees it.
 struct Shared
@@ -61,7 +64,10 @@ void hand_over(const int descriptor, const std::shared_ptr<Shared> &shared)
         n = 0;
       lock.lock();
       if (n < 0)
-        shared->refused = true;
+        {
+          shared->refused = true;
+          output_refused  = output_refused || descriptor == STDOUT_FILENO;
+        }
       else
         shared->waiting.erase(0, static_cast<std::size_t>(n));
       if (n > 0)
@@ -156,7 +162,10 @@ private:
                 ::write(descriptor_, waiting.data(), std::min<std::size_t>(waiting.size(), 512)) :
                 0;
         if (n < 0 && errno != EAGAIN && errno != EINTR)
-          break;
+          {
+            output_refused = output_refused || descriptor_ == STDOUT_FILENO;
+            break;
+          }
         if (n > 0)
           {
             waiting.erase(0, static_cast<std::size_t>(n));
@@ -189,4 +198,6 @@ void Console::give_up_after(const std::chrono::milliseconds patience)
 }
 
 bool Console::is_behind() const { return queue_->is_behind(); }
+
+bool Console::output_was_refused() { return output_refused; }
 } // namespace chaindrive::files

@@ -96,6 +96,18 @@ def console():
         said = done.stderr.strip()
         check(done.returncode == 3 and said.endswith("could not be written.") and "\n" not in said, f"{words}, full disk: {said}")
 
+    # neither is it where the answer goes by a thread of its own; a run's log stands in a file as well
+    simple = f"{REPOSITORY}/prm/paper/simple.prm"
+    pathlib.Path("compared.prm").write_text(f"include {simple}\nsubsection Loads\n  set Drag in 1/s = {{0 | 1}}\nend\n")
+    fresh("kept")
+    for words, status in ((["plan", simple], 3), (["study", "compared.prm", "--dry-run"], 3),
+                          ([simple, "--output", "kept", "--set", "Time/End time in ms=0.1", "--set", "Output/Window start in ms=0"], 0)):
+        with open("/dev/full", "w") as disk:
+            done = subprocess.run([PROGRAM, *words], stdout=disk, stderr=subprocess.PIPE, text=True)
+        check(done.returncode == status and ("chaindrive: Standard output could not be written.\n" in done.stderr) == (status == 3),
+              f"{words}, full disk: {done.returncode}, {done.stderr}")
+    check("Results: kept" in log_of("kept"), "log.txt is not complete")
+
     # a pager: the plan stands in no file, so its reader is waited for
     reader, writer = os.pipe()
     fcntl.fcntl(writer, 1031, 4096)  # F_SETPIPE_SZ

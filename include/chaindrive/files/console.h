@@ -27,6 +27,10 @@ public:
   /// Whether something that was written has not been taken yet.
   bool is_behind() const;
 
+  /// Whether the system has refused something that was written to standard output, as a full disk
+  /// does, or a pipe whose reader is gone.
+  static bool output_was_refused();
+
 private:
   class Queue;
   std::unique_ptr<Queue> queue_;
