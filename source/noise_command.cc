@@ -76,12 +76,13 @@ acoustics::Site make_site(const drive::Drive &drive, const drive::Facts &facts)
   site.along      = -in_space(tight.direction); // the driver pulls it in
   site.engagement = in_space(layout.sprockets.front().centre) +
                     0.5 * facts.driver().pitch_diameter * site.outward;
-  site.strands       = drive.strands;
-  site.pitch         = drive.chain.pitch;
-  site.roller_radius = 0.5 * drive.chain.roller_diameter;
-  site.roller_length = drive.chain.roller_length;
-  site.pitch_time    = facts.pitch_time;
-  site.lowest        = std::numeric_limits<double>::infinity();
+  site.strands            = drive.strands;
+  site.pitch              = drive.chain.pitch;
+  site.roller_radius      = 0.5 * drive.chain.roller_diameter;
+  site.roller_length      = drive.chain.roller_length;
+  site.pitch_time         = facts.pitch_time;
+  site.pitches_per_period = drive::pitches_per_resonance(facts);
+  site.lowest             = std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < layout.sprockets.size(); ++s)
     site.sprockets.push_back({drive.sprockets[s].name,
                               drive.sprockets[s].title,
@@ -170,7 +171,9 @@ Json to_json(const acoustics::Noise &noise,
       observers.push_back({{"name", received.observer.name},
                            {"position", {x[0], x[1], x[2]}},
                            {"level", received.level},
+                           {"level_uncertainty", received.level_uncertainty},
                            {"level_a", received.level_a},
+                           {"level_a_uncertainty", received.level_a_uncertainty},
                            {"peak_pressure", received.peak},
                            {"third_octaves", received.third_octaves},
                            {"orders", received.orders},
@@ -239,17 +242,22 @@ void print(std::ostream           &out,
       << to_text(1e3 * (noise.grid.start + noise.grid.step * noise.grid.size), 5)
       << " ms; tooth frequency " << to_text(tooth_frequency, 5) << " Hz, up to "
       << to_text(1e-3 * noise.highest, 3) << " kHz\n"
-      << "  observer         x, m    y, m    z, m   level, dB   dB(A)   peak, Pa\n";
+      << "  observer         x, m    y, m    z, m   level, dB  95 % +-   dB(A)       +-   peak, Pa\n";
   const std::ios_base::fmtflags flags = out.flags();
   out << std::fixed;
+  const auto around = [](const double half) {
+    return std::isfinite(half) ? to_text(half, 2) : std::string("-");
+  };
   for (const acoustics::ReceivedSound &received : noise.observers)
     {
       out << "  " << std::left << std::setw(13) << received.observer.name << std::right
           << std::setprecision(3);
       for (unsigned int d = 0; d < 3; ++d)
         out << std::setw(8) << received.observer.position[d];
-      out << std::setprecision(1) << std::setw(12) << received.level << std::setw(8)
-          << received.level_a << std::setprecision(3) << std::setw(11) << received.peak << '\n';
+      out << std::setprecision(1) << std::setw(12) << received.level << std::setw(9)
+          << around(received.level_uncertainty) << std::setw(8) << received.level_a << std::setw(9)
+          << around(received.level_a_uncertainty) << std::setprecision(3) << std::setw(11)
+          << received.peak << '\n';
     }
   out << std::setprecision(1) << "  at " << noise.observers.front().observer.name << ": rollers";
   for (std::size_t s = 0; s < site.sprockets.size(); ++s)

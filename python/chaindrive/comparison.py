@@ -62,8 +62,7 @@ def figures(run: Run) -> dict[str, tuple[Any, str, str]]:
                 for which, value in (("mean", values.mean()), ("largest", values.max())):
                     found[f"{wheel.name}_{column}_{which}"] = (value, unit, f"{meaning} on the {wheel.title}, {which}")
     if run.acoustics.get("observers"):
-        heard = run.acoustics["observers"]
-        one = next((o for o in heard if o.get("name") == "microphone"), heard[0])
+        one = _microphone(run)
         found["noise"] = (one.get("level_a"), "dB(A)", f"noise at {one.get('name')}")
     if "total" in run.summary.get("cpu_seconds", {}):
         found["cpu_seconds"] = (run.summary["cpu_seconds"]["total"], "s", "CPU time")
@@ -95,6 +94,12 @@ def means(run: Run, name: str) -> certainty.Means:
     raise KeyError(name)
 
 
+def _microphone(run: Run) -> dict[str, Any]:
+    """What acoustics.json says of the microphone, or else of the first observer."""
+    heard = run.acoustics["observers"]
+    return dict(next((one for one in heard if one.get("name") == "microphone"), heard[0]))
+
+
 def _of_impacts(run: Run, name: str) -> tuple[str, str, str]:
     """Sprocket, column and "mean" or "largest" of a figure of impacts; three empty words of any other."""
     return next(((wheel.name, column, which) for wheel in run.wheels for column in IMPACTS for which in ("mean", "largest")
@@ -113,7 +118,7 @@ def uncertainty(run: Run, name: str) -> float:
 
     As the summary has it; else, as of runs of earlier versions, from the values per tooth period or engagement that the run kept.
     """
-    if name in WHOLE_RUN or name == "noise" or name.endswith("_largest"):
+    if name in WHOLE_RUN or name.endswith("_largest"):
         return np.nan
     written = _written_uncertainty(run, name)
     if written is not None:
@@ -128,7 +133,7 @@ def certainty_of_difference(one: Run, other: Run, name: str) -> certainty.Certai
     From the values per tooth period or engagement where both runs kept them, paired where these are of the same drive at the same
     phases; else from the `uncertainty` of both in their summaries.
     """
-    if name in WHOLE_RUN or name == "noise" or name.endswith("_largest"):
+    if name in WHOLE_RUN or name.endswith("_largest"):
         return certainty.Certainty(np.nan, certainty.SINGLE)
     first, second = (certainty.sequence(lambda run=run: means(run, name)) for run in (one, other))  # type: ignore[misc]
     if first is not None and second is not None:
@@ -147,13 +152,15 @@ def _written_uncertainty(run: Run, name: str) -> float | None:
     try:
         if name in ("efficiency", "pitch_time_mean"):
             value, kind = run.summary[name.removesuffix("_mean") + "_uncertainty"], "mean"
+        elif name == "noise":
+            value, kind = _microphone(run)["level_a_uncertainty"], "mean"
         elif name == "loss":
             energy, kind = run.summary["window_energy"], "mean"
             value = energy["lost_uncertainty"] and energy["lost_uncertainty"] / energy["duration"]
         else:
             one = run.summary["impacts"][wheel][column] if column else run.summary["statistics"][signal]
             value = one["uncertainty"]
-    except (KeyError, TypeError):
+    except (LookupError, TypeError, ValueError):
         return None
     return None if "mean" not in (which, kind) else float(value) if isinstance(value, numbers.Real) else np.nan
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/acoustics/bands.h>
+#include <chaindrive/utilities/batch_means.h>
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace chaindrive::acoustics
@@ -36,6 +38,13 @@ std::string nominal(const int n)
 double level(const double mean_square)
 {
   return 10. * std::log10(mean_square / (reference_pressure * reference_pressure));
+}
+
+double level_uncertainty(const std::vector<double> &mean_squares, const std::size_t least)
+{
+  const double mean = std::accumulate(mean_squares.begin(), mean_squares.end(), 0.) /
+                      static_cast<double>(mean_squares.size());
+  return 10. / std::log(10.) * uncertainty_of_mean(mean_squares, least) / mean;
 }
 
 double a_weighting(const double frequency)

@@ -322,7 +322,7 @@ Noise prepare(const Motion                &motion,
 }
 
 /// All that is said of a pressure.
-void judge(ReceivedSound &received, const Noise &noise)
+void judge(ReceivedSound &received, const Noise &noise, const Site &site)
 {
   const auto levels = [](std::vector<double> squares) {
     std::transform(squares.begin(), squares.end(), squares.begin(), level);
@@ -334,7 +334,15 @@ void judge(ReceivedSound &received, const Noise &noise)
   received.level_a       = level(a_weighted_mean_square(received.spectrum, noise.highest));
   received.third_octaves = levels(in_bands(received.spectrum, noise.bands));
   received.orders        = levels(order_lines(received.spectrum, noise.periods, noise.highest));
-  const auto period      = static_cast<std::ptrdiff_t>(noise.grid.size / noise.periods);
+  const auto around      = [&](const Weighting weighting) {
+    return level_uncertainty(
+        mean_squares_of_parts(
+            received.pressure, noise.grid.step, noise.periods, noise.highest, weighting),
+        site.pitches_per_period);
+  };
+  received.level_uncertainty   = around(Weighting::none);
+  received.level_a_uncertainty = around(Weighting::a);
+  const auto period            = static_cast<std::ptrdiff_t>(noise.grid.size / noise.periods);
   for (auto begin = received.pressure.begin(); begin != received.pressure.end(); begin += period)
     received.engagement_peaks.push_back(std::accumulate(begin, begin + period, 0., magnitude));
   received.peak =
@@ -465,7 +473,7 @@ Noise compute_noise(const Motion                &motion,
 
   for (ReceivedSound &received : noise.observers)
     {
-      judge(received, noise);
+      judge(received, noise, site);
       if (!std::isfinite(received.level))
         noise.notes.push_back("Nothing is received at " + received.observer.name +
                               ": no roller is accelerated in the window. It has no level.");

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace chaindrive::acoustics
 {
@@ -59,6 +61,34 @@ double a_weighted_mean_square(const Spectrum &spectrum, const double highest)
   return sum_of_lines(spectrum, highest, [](const double frequency) {
     return std::pow(10., 0.1 * a_weighting(frequency));
   });
+}
+
+std::vector<double> mean_squares_of_parts(const std::vector<double> &record,
+                                          const double               step,
+                                          const std::size_t          n,
+                                          const double               highest,
+                                          const Weighting            weighting)
+{
+  if (n == 0 || record.size() < n || record.size() % n != 0)
+    throw std::logic_error("mean_squares_of_parts: no whole parts");
+  auto         lines   = fourier(record);
+  const double spacing = 1. / (step * static_cast<double>(record.size()));
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    {
+      const double frequency = spacing * static_cast<double>(k);
+      if (k == 0 || frequency > highest)
+        lines[k] = 0.;
+      else if (weighting == Weighting::a)
+        lines[k] *= std::pow(10., 0.05 * a_weighting(frequency));
+    }
+  const std::vector<double> heard  = inverse_fourier(std::move(lines), record.size());
+  const auto                length = static_cast<std::ptrdiff_t>(record.size() / n);
+  std::vector<double>       parts;
+  parts.reserve(n);
+  for (auto begin = heard.begin(); begin != heard.end(); begin += length)
+    parts.push_back(std::inner_product(begin, begin + length, begin, 0.) /
+                    static_cast<double>(length));
+  return parts;
 }
 
 std::vector<double> in_bands(const Spectrum &spectrum, const std::vector<Band> &bands)

@@ -293,7 +293,7 @@ def add_noise(folder, amplitude):
     """Files as `chaindrive noise` writes them: a tone of 1 kHz at two observers, the second half as loud."""
     names, seconds = ["front", "microphone"], [i * 1e-5 for i in range(1000)]
     level = [20 * math.log10(factor * amplitude / math.sqrt(2) / 2e-5) for factor in (0.5, 1.)]
-    observers = [{"name": name, "position": [0., 0.4, 0.], "level": level[k], "level_a": level[k] - 0.1, "peak_pressure": amplitude,
+    observers = [{"name": name, "position": [0., 0.4, 0.], "level": level[k], "level_a": level[k] - 0.1, "level_a_uncertainty": 0.27, "peak_pressure": amplitude,
                   "third_octaves": [None, level[k] - 30., level[k]], "orders": [level[k]], "engagement_peaks": [amplitude, 0.9 * amplitude, 0.8 * amplitude]}
                  for k, name in enumerate(names)]
     found = {"observers": observers, "third_octaves": [630., 800., 1000.], "tooth_frequency": 288., "periods": 3,
@@ -320,6 +320,7 @@ def noise():
     lines = data["panels"][found.panels["noise-spectra"][0]]["c"][0]
     check(abs(max(numbers(lines["y"])) - loud) < 0.01, f"the line of 1 kHz has {max(numbers(lines['y']))} instead of {loud} dB")
     check(f"{loud - 0.1:.1f}" in found.texts["noise"] and f"{loud - 0.1:.3g} dB(A)" in found.texts["answers"], "the level of the microphone")
+    check("± 0.27\u00a0dB(A)" in found.texts["answers"] and f"{loud - 0.1:.1f} ± 0.27\u00a0dB" in found.texts["noise"], "the interval of the level")
     report("loud", "quiet", "--output", "half.html")
     half = read("half.html")
     check_figures(half, names)

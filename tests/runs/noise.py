@@ -7,6 +7,7 @@ recorded places, computed here by simpler means; a run with Acoustics/Noise = on
 sentence, and nothing is left behind.
 """
 import json
+import math
 import pathlib
 import shutil
 import sys
@@ -15,6 +16,7 @@ import h5py
 import numpy as np
 
 import program
+from chaindrive.certainty import uncertainty_of_mean
 
 PROGRAM = sys.argv[1]
 RUN = {
@@ -109,6 +111,38 @@ mine, theirs = (bands(p, step, 4e3) for p in (dipoles(run, np.array(microphone["
 difference = abs(10 * np.log10(mine / theirs))
 print(f"level up to 4 kHz {level(theirs):.2f} dB, by other means {level(mine):.2f} dB")
 verdict("the same to 0.3 dB", difference < 0.3, difference)
+
+verdict("two pitch times tell no interval", all(o[name] is None for o in observers for name in ("level_uncertainty", "level_a_uncertainty")))
+
+long = pathlib.Path("long")
+program.run("prm/paper/simple.prm", {**RUN, "Time/End time in ms": 50, "Model/Driven inertia in kg m2": 0.03}, "--output", long, program=PROGRAM)
+said = noise(long)
+about = json.loads((long / "acoustics.json").read_text())
+drive = json.loads((long / "summary.json").read_text())["drive"]
+with h5py.File(long / "acoustics.h5", "r") as h:
+    step, pressure = h["time"][1] - h["time"][0], h["pressure"][:]
+least = math.ceil(drive["tooth_frequency"] / drive["driven_frequency"])
+
+
+def halves(weight):
+    """Half intervals of the levels of all observers, with a weight by frequency."""
+    lines, frequency = np.fft.rfft(pressure, axis=0), np.fft.rfftfreq(len(pressure), step)
+    lines *= np.where((frequency > 0) & (frequency <= about["highest_frequency"]), weight(frequency), 0)[:, None]
+    squares = (np.fft.irfft(lines, len(pressure), axis=0) ** 2).reshape(about["periods"], -1, pressure.shape[1]).mean(axis=1)
+    return [10 / math.log(10) * uncertainty_of_mean(column, least) / column.mean() for column in squares.T]
+
+
+def a_weight(f):
+    """Of IEC 61672-1, annex E."""
+    s = f**2
+    return 10**0.1 * 12194.217**2 * s**2 / ((s + 20.598997**2) * np.sqrt((s + 107.65265**2) * (s + 737.86223**2)) * (s + 12194.217**2))
+
+
+for which, weight in (("level", np.ones_like), ("level_a", a_weight)):
+    mine, theirs = halves(weight), [o[f"{which}_uncertainty"] for o in about["observers"]]
+    verdict(f"interval of {which} from {about['periods']} pitch times, at least {least} in a batch, by other means",
+            least == 2 and np.allclose(mine, theirs, rtol=1e-3) and min(mine) > 0.1, f"{mine}, not {theirs}")
+    verdict("in the table", f" {theirs[0]:.2g} " in next(line for line in said.splitlines() if "microphone" in line), said)
 
 again = pathlib.Path("again")
 program.run("prm/paper/simple.prm", {**RUN, "Acoustics/Noise": "on"}, "--output", again, program=PROGRAM)

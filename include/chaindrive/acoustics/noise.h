@@ -37,6 +37,8 @@ struct Site
   unsigned int         strands = 1; ///< that move alike
   double               roller_radius, roller_length;
   double               pitch_time; ///< of the driver, s
+  /// Pitch times that hold a period of the drive's slowest resonance (drive/facts.h).
+  unsigned int pitches_per_period = 1;
 
   struct Sprocket
   {
@@ -82,6 +84,9 @@ struct ReceivedSound
   std::vector<double> third_octaves;    ///< levels by Noise::bands
   std::vector<double> orders;           ///< levels of the lines at 1, 2, ... times tooth frequency
   std::vector<double> engagement_peaks; ///< of the pressure, one for each pitch period
+  /// Half of the 95 % intervals of level and level_a, from the pitch periods (level_uncertainty()),
+  /// dB; not a number with too few of these.
+  double level_uncertainty = 0., level_a_uncertainty = 0.;
 };
 
 /// The noise of a drive over whole pitch periods.

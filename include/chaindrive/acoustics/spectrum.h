@@ -27,6 +27,22 @@ double mean_square(const Spectrum &spectrum, double highest);
 /// The same, weighted by A.
 double a_weighted_mean_square(const Spectrum &spectrum, double highest);
 
+enum class Weighting
+{
+  none,
+  a
+};
+
+/// Mean squares over each of @p n equal parts of @p record, whose samples are @p step [s] apart, of
+/// what it has in lines up to @p highest [Hz], weighted. Their mean is mean_square() or
+/// a_weighted_mean_square() of its spectrum (Parseval). The number of samples must be a multiple of
+/// @p n.
+std::vector<double> mean_squares_of_parts(const std::vector<double> &record,
+                                          double                     step,
+                                          std::size_t                n,
+                                          double                     highest,
+                                          Weighting                  weighting);
+
 /// Mean square in each of @p bands. A line is spread over the spacing around it; a band takes its
 /// share of a line that lies across its edge. The mean of the record is left out.
 std::vector<double> in_bands(const Spectrum &spectrum, const std::vector<Band> &bands);

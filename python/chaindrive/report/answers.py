@@ -240,7 +240,7 @@ def noise(run: Run) -> Answer | None:
     observers = run.acoustics["observers"]
     received = next((o for o in observers if o["name"] == "microphone"), observers[0])
     return Answer("Noise", received["level_a"], "dB(A)", f"Level of the rollers' sound at {received['name']}, {number(received['level'], 3)}\u00a0dB without "
-                  "weighting. Housing, shafts and plates are not in it.")
+                  "weighting. Housing, shafts and plates are not in it.", half=uncertainty(run, "noise"))
 
 
 def model(run: Run) -> Answer | None:

@@ -288,7 +288,10 @@ def noise_tables(run: Run) -> str:
     def level(value: float | None) -> str:
         return f"{value:.1f}" if value is not None else "–"
 
-    rows = [(escape(o["name"]), ", ".join(number(x, 3) for x in o["position"]), level(o["level"]), level(o["level_a"]), quantity(o["peak_pressure"], "Pa", 3))
+    def known(one: dict[str, Any], which: str) -> str:
+        return f"{level(one[which])} {around(one.get(f'{which}_uncertainty'), 'dB')}" if one[which] is not None else "–"
+
+    rows = [(escape(o["name"]), ", ".join(number(x, 3) for x in o["position"]), known(o, "level"), known(o, "level_a"), quantity(o["peak_pressure"], "Pa", 3))
             for o in run.acoustics["observers"]]
     out = invalid_window(run, "These levels are") + table(["observer", "position (m)", "level (dB)", "level (dB(A))", "peak"], rows, f"Over {run.acoustics['periods']} pitch times, re 20 µPa")
     parts = run.acoustics.get("contributions", {})
