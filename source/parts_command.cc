@@ -176,7 +176,7 @@ void print_vibrations(std::ostream       &out,
 {
   // with modes that are not symmetric
   const model::Meshes     whole{parameters.mesh, parameters.material.density, false};
-  reduction::BasisOptions options = reduction::options_of(parameters.reduction);
+  reduction::BasisOptions options = reduction::options_of(parameters.reduction, drive.chain.pitch);
   options.fastest_of_links        = std::numeric_limits<double>::infinity(); // their own ones
   out << "\nVibration of parts as section Mesh divides them, which nothing holds: natural "
          "frequencies up to "

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/drive/chain.h>
 #include <chaindrive/drive/stiffness.h>
 #include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/dynamics/time_loop.h>
@@ -95,17 +96,18 @@ part_bases(const Parameters &parameters, const MPI_Comm comm, const Announce &an
     if (!basis)
       {
         statics::Cache cache(statics::Cache::usual_folder());
-        basis = std::make_shared<const reduction::Basis>(
-            reduction::kept_basis(part,
-                                  parameters.material,
-                                  parameters.elements,
-                                  reduction::options_of(parameters.reduction,
-                                                        !effects.is_on(model::Effect::exact_joints),
-                                                        !effects.is_on(model::Effect::exact_teeth),
-                                                        effects.is_on(model::Effect::plate_faces)),
-                                  cache,
-                                  comm,
-                                  announce));
+        basis = std::make_shared<const reduction::Basis>(reduction::kept_basis(
+            part,
+            parameters.material,
+            parameters.elements,
+            reduction::options_of(parameters.reduction,
+                                  drive::make_chain(parameters.drive.chain).pitch,
+                                  !effects.is_on(model::Effect::exact_joints),
+                                  !effects.is_on(model::Effect::exact_teeth),
+                                  effects.is_on(model::Effect::plate_faces)),
+            cache,
+            comm,
+            announce));
       }
     return basis;
   };

@@ -169,7 +169,7 @@ void Reduction::declare(Declarations &declarations)
       unit::kilo,
       between(0., 1e9),
       "Reduced bodies have all natural modes of their parts up to this frequency. auto: 120 where "
-      "joints have no penalty, else 60.");
+      "joints have no penalty, for a pitch below 15.875 mm in inverse proportion to it, else 60.");
   add(declarations,
       "Highest frequency in kHz",
       highest,
@@ -185,7 +185,8 @@ void Reduction::declare(Declarations &declarations)
       above(0., 1e9),
       "All modes of links that are faster, natural ones and others, get this frequency, with "
       "unchanged compliance. Motions far below it do not notice the mass that this adds, and the "
-      "time step may be longer. auto: 80 where joints have no penalty, else no such limit.");
+      "time step may be longer. auto: 80 where joints have no penalty, for a pitch below "
+      "15.875 mm in inverse proportion to it, else no such limit.");
   add(declarations,
       "Highest frequency of rollers in kHz",
       fastest_of_rollers,
@@ -193,7 +194,8 @@ void Reduction::declare(Declarations &declarations)
       above(0., 1e9),
       "Natural modes of rollers that are faster get this frequency and so much less of their "
       "compliance that slow motions meet the same inertia; the rest deflects without inertia. It "
-      "needs joints and teeth without penalty. The time step may be longer. auto: 90.");
+      "needs joints and teeth without penalty. The time step may be longer. auto: 90, for a pitch "
+      "below 15.875 mm in inverse proportion to it.");
   add(declarations,
       "Harmonics of rollers and bushes",
       tube_order,

@@ -197,19 +197,21 @@ Basis from_json(const nlohmann::json &json)
 } // namespace
 
 BasisOptions options_of(const parameters::Reduction &reduction,
+                        const double                 pitch,
                         const bool                   pressed_joints,
                         const bool                   pressed_outside,
                         const bool                   pressed_faces)
 {
+  using dealii::numbers::PI;
+  const double faster = std::max(1., 15.875e-3 / pitch);
   BasisOptions options;
   options.modes_up_to =
-      2. * dealii::numbers::PI * reduction.modes_up_to.value_or(pressed_joints ? 60e3 : 120e3);
-  options.cap = 2. * dealii::numbers::PI * reduction.highest;
+      2. * PI * reduction.modes_up_to.value_or(pressed_joints ? 60e3 : faster * 120e3);
+  options.cap = 2. * PI * reduction.highest;
   if (reduction.fastest_of_links || !pressed_joints)
-    options.fastest_of_links = 2. * dealii::numbers::PI * reduction.fastest_of_links.value_or(80e3);
+    options.fastest_of_links = 2. * PI * reduction.fastest_of_links.value_or(faster * 80e3);
   if (!pressed_joints && !pressed_outside)
-    options.fastest_of_rollers =
-        2. * dealii::numbers::PI * reduction.fastest_of_rollers.value_or(90e3);
+    options.fastest_of_rollers = 2. * PI * reduction.fastest_of_rollers.value_or(faster * 90e3);
   options.orders = {
       reduction.tube_order, reduction.pin_order, pressed_joints, pressed_outside, pressed_faces};
   return options;

@@ -331,8 +331,13 @@ std::optional<CoupledModes> coupled(const std::string              &file,
   const drive::Drive   drive    = drive::make_drive(p);
   const scene::BasisOf basis_of = [&p](const mesh::Part &part) {
     statics::Cache cache(statics::Cache::usual_folder());
-    return std::make_shared<const reduction::Basis>(reduction::kept_basis(
-        part, p.material, p.elements, reduction::options_of(p.reduction), cache, MPI_COMM_SELF));
+    return std::make_shared<const reduction::Basis>(
+        reduction::kept_basis(part,
+                              p.material,
+                              p.elements,
+                              reduction::options_of(p.reduction, drive.chain.pitch),
+                              cache,
+                              MPI_COMM_SELF));
   };
   const scene::Scene scene =
       scene::build_scene(model::make_model(p, drive), drive, {"."}, basis_of);

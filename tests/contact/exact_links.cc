@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Seven links pulled, inner and outer ones in turn, whose joints have no penalty: the force in a
 // joint in the middle is that of room statics, which has other elements, meshes and a solution of
-// its own, at the same extension: on fine meshes within 3 % from 100 to 3000 N, on those that runs
-// have by default within 8 % from three tenths of a working load on, for three chains; at a tenth
-// of it it is stiffer by less than 15 %, since contact is narrower than a column there. Links keep
-// their centres of mass and directions; those at the ends are stretched to one side only. Peaks of
-// pressure are lower than there on meshes of runs, and higher on fine ones. With the penalty of
-// full and meshes of equally long cells the joint is softer by more than 5 %.
+// its own, at the same extension, for three chains: on fine meshes within 3 % from 100 to 3000 N,
+// on those that runs have by default within 5 % from a working load on; at three tenths and a tenth
+// of it it is stiffer by less than 9 and 15 %, since contact is narrower than a column there. Links
+// keep their centres of mass and directions; those at the ends are stretched to one side only.
+// Peaks of pressure are lower than there on meshes of runs, and higher on fine ones. With the
+// penalty of full and meshes of equally long cells the joint is softer by more than 5 %.
 #include "../support/joined_links.h"
 
 #include <chaindrive/bodies/make_world.h>
@@ -18,6 +18,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 
 using namespace test;
@@ -98,9 +100,11 @@ int main(int argc, char **argv)
   p.mesh.refinement = 1;
   statics::Library        library(p.material, statics::Cache::usual_folder(), MPI_COMM_SELF);
   reduction::BasisOptions exact, penalty;
-  exact.modes_up_to      = 2. * dealii::numbers::PI * 130e3;
   exact.orders.in_joints = false;
-  const auto in_statics  = [&](const drive::Drive &drive, const double load) {
+  const auto modes_of    = [](const drive::Drive &drive) { // about those of runs
+    return 2. * dealii::numbers::PI * 130e3 * std::max(1., 15.875e-3 / drive.chain.pitch);
+  };
+  const auto in_statics = [&](const drive::Drive &drive, const double load) {
     return statics::at_force(
         [&](const unsigned int k) { return library.pulled_links(drive.chain, k); }, load);
   };
@@ -121,8 +125,10 @@ int main(int argc, char **argv)
       p.drive.chain.designation           = chain;
       const drive::Drive            drive = drive::make_drive(p);
       decltype(scene::Scene::bases) bases;
-      double                        least = 2., largest = 0., light = 0.;
-      bool                          peaks = true;
+      exact.modes_up_to = modes_of(drive);
+      double                least = 2., largest = 0.;
+      std::array<double, 2> light{}; // at a tenth and three tenths
+      bool                  peaks = true;
       for (const double factor : {1., 3., 10., 20.})
         {
           const double at    = factor * load;
@@ -131,44 +137,50 @@ int main(int argc, char **argv)
           const double ratio = joint.force / at;
           note(at, ratio);
           note_peak(joint.peak, other.on_line[0]);
-          if (factor == 1.)
-            light = ratio;
+          if (factor < 5.)
+            light[factor > 1.] = ratio;
           else
             {
               least   = std::min(least, ratio);
               largest = std::max(largest, ratio);
               // a node has the mean of a column, of which two to four touch
-              if (factor > 5.)
-                peaks = peaks && joint.peak > 0.65 * other.on_line[0] &&
-                        joint.peak < 0.9 * other.on_line[0];
+              peaks = peaks && joint.peak > 0.65 * other.on_line[0] &&
+                      joint.peak < 0.9 * other.on_line[0];
             }
         }
-      verdict(chain + ", meshes of runs: within 8 % of statics", least > 0.92 && largest < 1.08);
-      verdict("  and within 15 % at a light load", light > 0.98 && light < 1.15);
+      verdict(chain + ", meshes of runs: within 5 % of statics", least > 0.95 && largest < 1.05);
+      verdict("  and stiffer by less than 9 and 15 % at light loads",
+              light[1] > 1. && light[1] < 1.09 && light[0] > light[1] && light[0] < 1.15);
       verdict("  peaks of pressure 0.65 to 0.9 of those there", peaks);
     }
 
-  p.drive.chain.designation           = "525";
-  p.mesh.inner_link                   = {48, 2, 2, 2, 12};
-  p.mesh.outer_link                   = {48, 2, 2, 2, 20};
-  const drive::Drive            drive = drive::make_drive(p);
-  decltype(scene::Scene::bases) of_exact, of_penalty;
-  for (const double load : {100., 500., 1412., 3000.})
+  p.mesh.inner_link = {48, 2, 2, 2, 12};
+  p.mesh.outer_link = {48, 2, 2, 2, 20};
+  for (const std::string chain : {"525", "06B", "16A"})
     {
-      const auto   other  = in_statics(drive, load);
-      const double longer = other.approach[0];
-      const auto   joint  = pin_pressed(pulled(p, drive, longer), exact, of_exact);
-      const double ratio  = joint.force / load;
-      note(load, ratio);
-      note_peak(joint.peak, other.on_line[0]);
-      verdict(std::to_string(int(load)) + " N, within 3 % of statics", std::abs(ratio - 1.) < 0.03);
-      // at the end of the bush, where pressure has no bound
-      verdict("  peak of pressure within 30 %", std::abs(joint.peak / other.on_line[0] - 1.) < 0.3);
-      if (load != 1412.)
-        continue;
-      const double soft =
-          pin_pressed(pulled(p, drive, longer, true), penalty, of_penalty).force / load;
-      note(load, soft);
-      verdict("with a penalty it is softer by more than 5 %", soft < 0.95);
+      p.drive.chain.designation = chain;
+      const drive::Drive drive  = drive::make_drive(p);
+      exact.modes_up_to         = modes_of(drive);
+      decltype(scene::Scene::bases) of_exact, of_penalty;
+      for (const double load : {100., 500., 1412., 3000.})
+        {
+          const auto   other  = in_statics(drive, load);
+          const double longer = other.approach[0];
+          const auto   joint  = pin_pressed(pulled(p, drive, longer), exact, of_exact);
+          const double ratio  = joint.force / load;
+          note(load, ratio);
+          note_peak(joint.peak, other.on_line[0]);
+          verdict(chain + ", " + std::to_string(int(load)) + " N, within 3 % of statics",
+                  std::abs(ratio - 1.) < 0.03);
+          // at the end of the bush, where pressure has no bound
+          verdict("  peak of pressure within 30 %",
+                  std::abs(joint.peak / other.on_line[0] - 1.) < 0.3);
+          if (chain != "525" || load != 1412.)
+            continue;
+          const double soft =
+              pin_pressed(pulled(p, drive, longer, true), penalty, of_penalty).force / load;
+          note(load, soft);
+          verdict("with a penalty it is softer by more than 5 %", soft < 0.95);
+        }
     }
 }

@@ -200,7 +200,7 @@ void read_entries()
   entries.highest                       = 130e3;
   entries.tube_order                    = 5;
   entries.pin_order                     = 3;
-  const reduction::BasisOptions options = reduction::options_of(entries);
+  const reduction::BasisOptions options = reduction::options_of(entries, 15.875e-3);
   const double                  turn    = 2. * std::acos(-1.);
   std::cout << "options of entries: modes up to " << options.modes_up_to / turn << ", cap "
             << options.cap / turn << " Hz, orders " << options.orders.tube << ' '

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-// Two reduced rollers between teeth and the bushes of a link, none of which have a penalty.
+// Two reduced rollers between teeth and the bushes of a link, none of which have a penalty, of
+// three chains.
 
 #include "reduced.h"
 #include "tooth.h"
@@ -10,7 +11,9 @@
 #include <chaindrive/scene/build.h>
 #include <chaindrive/statics/part_stiffness.h>
 
+#include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 
 namespace test::exact_roller
@@ -29,26 +32,56 @@ inline const char *name(const Place place)
                                   "on the flank";
 }
 
+/// A chain, the load [N] that it works under, and a sprocket of 15 teeth, 25 mm bore and 33 mm hub
+/// for 525 and in proportion for others.
+struct Size
+{
+  drive::ChainDimensions chain;
+  double                 load;
+  drive::Sprocket        sprocket;
+  double                 sprocket_width;
+};
+
+inline const Size &size_of(const std::string &designation)
+{
+  static const std::map<std::string, double> loads = {
+      {"525", 1412.}, {"06B", 565.}, {"16A", 3530.}};
+  static std::map<std::string, Size> made;
+  if (const auto known = made.find(designation); known != made.end())
+    return known->second;
+  parameters::Chain entries;
+  const auto        usual = drive::make_chain(entries);
+  entries.designation     = designation;
+  Size         size{drive::make_chain(entries), loads.at(designation), {}, 7.2e-3};
+  const double larger        = size.chain.pitch / usual.pitch;
+  size.sprocket.form         = tooth_form(size.chain, larger);
+  size.sprocket.bore         = larger * 25e-3;
+  size.sprocket.hub_diameter = larger * 33e-3;
+  size.sprocket_width *= size.chain.inner_width / usual.inner_width;
+  return made.emplace(designation, size).first->second;
+}
+
 struct Case
 {
-  Place  place     = Place::seat;
-  double stiffness = 0.; ///< of the tooth, N/m
-  double load      = 0.; ///< N, by which the link is pressed
-  double phase     = 0.; ///< of the roller, columns
-  double above     = 0.; ///< the tooth at first, m
-  double speed     = 0.; ///< towards it, m/s
-  double friction  = 0.;
-  double in_bore   = 0.;
-  double spin      = 0.;   ///< rad/s
-  double mass      = 1.;   ///< of the link, kg
-  bool   fine      = true; ///< is the link's mesh, else that of runs
+  std::string chain     = "525";
+  Place       place     = Place::seat;
+  double      stiffness = 0.; ///< of the tooth, N/m
+  double      load      = 0.; ///< N, by which the link is pressed
+  double      phase     = 0.; ///< of the roller, columns
+  double      above     = 0.; ///< the tooth at first, m
+  double      speed     = 0.; ///< towards it, m/s
+  double      friction  = 0.;
+  double      in_bore   = 0.;
+  double      spin      = 0.;   ///< rad/s
+  double      mass      = 1.;   ///< of the link, kg
+  bool        fine      = true; ///< is the link's mesh, else that of runs
   /// Modes of rollers and links are slowed to these, kHz; 0: none.
   double slowed_rollers = 0., slowed_links = 0.;
 };
 
 /// Centre of the roller at the tooth and the normal there, in the sprocket's frame.
 inline std::pair<Vector3, Vector3>
-touch(const drive::ToothForm &form, const double radius, const Place place)
+touch(const drive::ToothForm &form, const double radius, const double pitch, const Place place)
 {
   const drive::Segment &seat = form.half_profile.front();
   if (place != Place::flank)
@@ -58,7 +91,8 @@ touch(const drive::ToothForm &form, const double radius, const Place place)
       const auto out = vector(std::cos(angle), std::sin(angle));
       return {vector(seat.centre[0], seat.centre[1]) + (seat.radius - radius) * out, -out};
     }
-  const double r   = 0.5 * form.root_diameter + radius + 3e-3; // 3 mm above the bottom
+  // 3 mm above the bottom, of 525
+  const double r   = 0.5 * form.root_diameter + radius + 3e-3 * pitch / 15.875e-3;
   double       low = 0., high = dealii::numbers::PI / form.teeth;
   const auto   at = [&](const double angle) {
     return dealii::Point<2>(r * std::cos(angle), r * std::sin(angle));
@@ -78,7 +112,8 @@ inline scene::Scene make(const Case &c)
   Tooth tooth;
   tooth.elastic         = false;
   scene::Scene scene    = make_scene(tooth);
-  const auto   chain    = drive::make_chain(parameters::Chain());
+  const Size  &size     = size_of(c.chain);
+  const auto  &chain    = size.chain;
   const double density  = scene.material.density;
   const auto   set_part = [&](const scene::Kind kind, mesh::Part &&part) {
     scene.parts[kind] = std::make_shared<const mesh::Part>(std::move(part));
@@ -89,14 +124,20 @@ inline scene::Scene make(const Case &c)
   else
     {
       Parameters p;
-      p.mesh.refinement = 1;
+      p.drive.chain.designation = c.chain;
+      p.mesh.refinement         = 1;
       scene.parts[scene::Kind::inner_link] =
           scene::make_link_part({p.mesh, density, false, true}, drive::make_drive(p), true);
     }
 
-  scene::ToothFamily &teeth  = scene.teeth[0];
-  const double        radius = 0.5 * chain.roller_diameter, play = teeth.form->seat_radius - radius;
-  const auto [centre, normal] = touch(*teeth.form, radius, c.place);
+  scene::ToothFamily &teeth   = scene.teeth[0];
+  const double        radius  = 0.5 * chain.roller_diameter;
+  teeth.form                  = std::make_shared<const drive::ToothForm>(size.sprocket.form);
+  teeth.outer_radius          = 0.5 * teeth.form->outside_diameter;
+  teeth.half_width            = 0.5 * size.sprocket_width;
+  teeth.slaves[0].radius      = radius;
+  const double play           = teeth.form->seat_radius - radius;
+  const auto [centre, normal] = touch(*teeth.form, radius, chain.pitch, c.place);
   const auto turn =
       to_matrix(rotation_about_z(0.5 * dealii::numbers::PI - std::atan2(normal[1], normal[0])));
   scene.bodies[1].initial.rotation = turn;
@@ -125,13 +166,14 @@ inline scene::Scene make(const Case &c)
 
   // springs of friction as in prm/paper/reduced-half.prm
   teeth.law                = {3.7e13, 0., c.friction, 0., 0.};
-  const double pressure    = drive::working_pressure(chain, 1412.);
+  const double pressure    = drive::working_pressure(chain, size.load);
   teeth.half_angle         = drive::largest_half_angle(radius, play, pressure, scene.material);
   teeth.half_line          = drive::largest_half_angle(radius, radius, pressure, scene.material);
   teeth.sticking_stiffness = 1.2e8;
   teeth.tooth_stiffness    = c.stiffness;
   teeth.loaded_half_angle =
-      drive::conforming_contact(radius, play, 1412. / 7e-3, scene.material).half_angle;
+      drive::conforming_contact(radius, play, size.load / chain.roller_length, scene.material)
+          .half_angle;
   scene::BoreFamily joint;
   joint.name    = "roller-bush";
   joint.elastic = true;
@@ -154,13 +196,13 @@ inline scene::Scene make(const Case &c)
   scene.teeth.push_back(scene.teeth.front());
   scene.teeth.back().sprocket       = 4;
   scene.teeth.back().slaves[0].body = 3;
-  static std::map<bool, decltype(scene::Scene::bases)> known;
-  scene.bases = known[c.fine];
+  static std::map<std::pair<std::string, bool>, decltype(scene::Scene::bases)> known;
+  scene.bases = known[{c.chain, c.fine}];
   reduction::BasisOptions options;
-  options.modes_up_to      = 2. * dealii::numbers::PI * 120e3;
+  options.modes_up_to = 2. * dealii::numbers::PI * 120e3 * std::max(1., 15.875e-3 / chain.pitch);
   options.orders.in_joints = options.orders.on_teeth = false;
   reduce(scene, options);
-  known[c.fine] = scene.bases;
+  known[{c.chain, c.fine}] = scene.bases;
   if (c.slowed_rollers > 0. || c.slowed_links > 0.)
     {
       if (c.slowed_rollers > 0.)

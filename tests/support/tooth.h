@@ -38,10 +38,10 @@ struct Tooth
   double       spin     = 0.;
 };
 
-inline drive::ToothForm tooth_form(const drive::ChainDimensions &chain)
+inline drive::ToothForm tooth_form(const drive::ChainDimensions &chain, const double scale = 1.)
 {
   parameters::Sprockets sprockets;
-  sprockets.driver().outside_diameter = 81.8e-3;
+  sprockets.driver().outside_diameter = scale * 81.8e-3;
   return drive::make_tooth_form(15, chain, sprockets, 0);
 }
 

@@ -10,10 +10,13 @@
 
 namespace chaindrive::reduction
 {
-/// The options of section `Reduction`, with modes for pressures in joints and, of rollers, on their
-/// outside, or, without such, what these sides deflect without inertia; and modes for pressures on
-/// the faces of plates.
+/// The options of section `Reduction` for a chain of @p pitch [m], with modes for pressures in
+/// joints and, of rollers, on their outside, or, without such, what these sides deflect without
+/// inertia; and modes for pressures on the faces of plates. Frequencies that are `auto` where
+/// joints have no penalty hold for a pitch of 15.875 mm and larger ones; parts of smaller chains
+/// vibrate faster, in inverse proportion to their size, and so much higher these frequencies are.
 BasisOptions options_of(const parameters::Reduction &reduction,
+                        double                       pitch,
                         bool                         pressed_joints  = true,
                         bool                         pressed_outside = true,
                         bool                         pressed_faces   = false);
