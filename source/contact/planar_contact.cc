@@ -164,7 +164,7 @@ void PlanarContact::update_records() const
             {
               record.force[0] = normal * x - tangential * y;
               record.force[1] = normal * y + tangential * x;
-              record.feature  = feature_at(place);
+              record.feature  = features() != nullptr ? features()[place] : 0;
             }
         }
     }
@@ -211,6 +211,25 @@ double PlanarContact::add_normal_forces(std::vector<double> &forces) const
   return *std::max_element(deepest.begin(), deepest.end());
 }
 
+ForcesInPlaces::View PlanarContact::view() const
+{
+  return {n_places(),
+          of(planar_touch_normal),
+          of(planar_touch_tangential),
+          of(planar_touch_direction),
+          of(planar_touch_direction + 1),
+          of(planar_touch_penetration)};
+}
+
+std::vector<unsigned int> PlanarContact::joints() const
+{
+  std::vector<unsigned int> joints = joint_;
+  for (unsigned int place = 0; place < n_places(); ++place)
+    if (first_pair_[place] == none)
+      joints[place] = ForcesInPlaces::no_joint;
+  return joints;
+}
+
 double PlanarContact::deepest() const
 {
   const double *gap   = of(planar_touch_gap);
@@ -228,20 +247,22 @@ const std::vector<SurfaceContact::Press> &PlanarContact::presses() const
   presses_are_known_ = true;
   presses_.clear();
   const double  share = 1. / multiplicity_;
-  const double *gap   = of(planar_touch_gap);
+  const double *gap = of(planar_touch_gap), *normals = of(planar_touch_normal),
+               *tangentials = of(planar_touch_tangential), *xs = of(planar_touch_direction),
+               *ys             = of(planar_touch_direction + 1);
+  const unsigned int *features = this->features();
+  presses_.reserve(n_places());
   for (unsigned int first = 0; first < n_places(); first += n_lanes)
     for (unsigned int place = any_below_zero(gap + first) ? first : first + n_lanes;
          place < first + n_lanes;
          ++place)
       if (gap[place] < 0. && first_pair_[place] != none)
         {
-          const double normal     = share * of(planar_touch_normal)[place],
-                       tangential = share * of(planar_touch_tangential)[place];
-          const double x          = of(planar_touch_direction)[place],
-                       y          = of(planar_touch_direction + 1)[place];
-          Press press{slave_[place],
+          const double normal = share * normals[place], tangential = share * tangentials[place];
+          const double x = xs[place], y = ys[place];
+          Press        press{slave_[place],
                       joint_[place],
-                      feature_at(place),
+                      features != nullptr ? features[place] : 0,
                       multiplicity_,
                       0.,
                       gap[place],
@@ -443,6 +464,8 @@ void PlanarFlanks::place_near()
   room.resize(first.size(), -no_room);
   slot_.assign(first.size(), 0);
   gap_.assign(first.size(), 0);
+  known_.resize_fast(n_known_nearest * first.size());
+  std::fill(known_.begin(), known_.end(), -1.); // nothing
   for (std::size_t place = 0; place < first.size(); ++place)
     if (first[place] != none)
       slot_[place] = bodies_.slot_of(records_[first[place]].slave);
@@ -463,6 +486,7 @@ void PlanarFlanks::add_forces(World &world, const double dt)
                     static_cast<unsigned int>(slot_.size()),
                     slot_.data(),
                     gap_.data(),
+                    known_.begin(),
                     {hub.position[0], hub.position[1]},
                     {hub.velocity[0], hub.velocity[1]},
                     {hub.rotation[0][0], hub.rotation[1][0]},

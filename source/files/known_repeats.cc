@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstring>
 #include <libdeflate.h>
-#include <memory>
 
 namespace chaindrive::files
 {
@@ -127,14 +126,14 @@ void append_known_repeats(const void                 *values,
                           const std::size_t           first,
                           const std::size_t           n,
                           const std::vector<Stretch> &stretches,
+                          std::vector<char>          &room,
                           std::string                &to)
 {
   static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
   const auto *numbers = static_cast<const std::uint32_t *>(values) + first;
   // two bytes of zlib, nine bits at most for each byte, the checksum, and room to write ahead
-  const std::unique_ptr<char[]> room(
-      new char[2 + number_size * n * 9 / 8 + 4 + 2 * sizeof(std::uint64_t)]);
-  char *begin = room.get();
+  room.resize(std::max(room.size(), 2 + number_size * n * 9 / 8 + 4 + 2 * sizeof(std::uint64_t)));
+  char *begin = room.data();
   begin[0]    = 0x78;
   begin[1]    = 0x01;
   BitStream stream(begin + 2);

@@ -20,7 +20,7 @@ namespace
 class Arrays
 {
 public:
-  explicit Arrays(VtuPacked &before) : before_(before) {}
+  explicit Arrays(VtuPacked &before) : before_(before), binary_(before.binary) { binary_.clear(); }
 
   /// @p stretches, if there are any, of @p values, which are as in append_known_repeats().
   template <typename Number>
@@ -73,7 +73,8 @@ private:
     for (std::size_t b = 0; b < n_blocks; ++b)
       {
         const std::size_t before = binary_.size(), length = std::min(block, size - b * block);
-        append_known_repeats(bytes, b * block / word, length / word, stretches, binary_);
+        append_known_repeats(
+            bytes, b * block / word, length / word, stretches, before_.room, binary_);
         header[3 + b] = binary_.size() - before;
       }
     std::memcpy(&binary_[begin], header.data(), header_size);
@@ -137,7 +138,7 @@ private:
   static constexpr int level       = 1; ///< as small as 2 and 3, in six tenths of the time
   Compressor           compressor_ = make_compressor(level), stores_ = make_compressor(0);
   VtuPacked           &before_;
-  std::string          binary_;
+  std::string         &binary_;
 };
 
 /// Of an array of @p components numbers at each point of rigid bodies; none without these.

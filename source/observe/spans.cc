@@ -71,10 +71,46 @@ Spans::Spans(const scene::Scene     &scene,
                         body.motion == scene::Motion::elastic,
                         body.kind == scene::Kind::outer_link ? 0.5 : -0.5});
     }
+  const auto *in_places = dynamic_cast<const contact::ForcesInPlaces *>(joints_.front());
+  if (joints_.size() == 1 && in_places != nullptr &&
+      std::all_of(links_.begin(), links_.end(), [](const Link &link) {
+        return link.slot != PlanarBodies::none;
+      }))
+    place_ = places_of_joints(*in_places, strand.n_joints);
+  if (place_.empty())
+    return;
+  place_.push_back(place_.front());
+  in_places_ = in_places;
+  for (std::vector<double> *forces : {&force_x_, &force_y_})
+    forces->resize(in_places_->forces_in_places().n);
+}
+
+void Spans::joint_forces_in_places(const PlanarBodies &planar)
+{
+  const contact::ForcesInPlaces::View at = in_places_->forces_in_places();
+  for (unsigned int i = 0; i < at.n; ++i)
+    {
+      const double x = at.normal[i] * at.x[i] - at.tangential[i] * at.y[i],
+                   y = at.normal[i] * at.y[i] + at.tangential[i] * at.x[i];
+      force_x_[i]    = at.normal[i] > 0. ? x : 0.;
+      force_y_[i]    = at.normal[i] > 0. ? y : 0.;
+    }
+  for (unsigned int k = 0; k < drive_.n_joints; ++k)
+    {
+      const unsigned int         first = place_[k], last = place_[k + 1];
+      const dealii::Tensor<1, 2> axis = planar.rotation(links_[k].slot);
+      tension_[k] = links_[k].share * ((force_x_[last] - force_x_[first]) * axis[0] +
+                                       (force_y_[last] - force_y_[first]) * axis[1]);
+    }
 }
 
 void Spans::joint_forces(const dynamics::System &system)
 {
+  if (in_places_ != nullptr)
+    {
+      joint_forces_in_places(*system.world.planar);
+      return;
+    }
   for (dealii::Tensor<1, 3> &force : pin_force_)
     force = dealii::Tensor<1, 3>();
   for (const contact::Family *family : joints_)

@@ -60,8 +60,12 @@ WholeRevolutions::next(const double time, const double duration, const double ph
           break;
         }
       const double phase_grown = (to - from) * growth;
-      pieces_.push_back(
-          {from, to, phase_grown, waves(turned), waves(turned + phase_grown), closes});
+      // where the next step begins, which has the same waves
+      const double reached = to < 1. ? turned + phase_grown : phase - state_.zero;
+      const Waves  first   = turned == reached_ ? waves_there_ : waves(turned);
+      waves_there_         = waves(reached);
+      reached_             = reached;
+      pieces_.push_back({from, to, phase_grown, first, waves_there_, closes});
       state_.turns += closes ? 1 : 0;
       from = to;
     }

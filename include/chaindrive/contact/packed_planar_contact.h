@@ -253,10 +253,11 @@ struct SpringOnTeeth
 template <int width, bool ovals, bool curved>
 void press_bores_of(PlanarSlots           bodies,
                     const PlanarContacts &contacts,
-                    const PlanarRun      &run,
+                    const PlanarRun      &of,
                     PlanarEnergies       &energies)
 {
-  using P = Pack<double, width>;
+  using P              = Pack<double, width>;
+  const PlanarRun  run = of; // which nothing that is stored below can change
   PlanarLaw<width> law(contacts);
   SpringNow<P>     spring;
   if (curved)
@@ -364,13 +365,27 @@ void press_teeth_of(PlanarSlots           bodies,
                            cosine * offset[1] - sine * offset[0]};
       P       p[2], turn[2], side;
       fold<width>(teeth, teeth.gap + place, local, p, turn, side);
-      NearestOnProfile<width> nearest = nearest_on_profile<width>(teeth, p);
-      if (any_less(P(0.5), nearest.which))
-        for (int i = 0; i < width; ++i)
-          if (const unsigned int which = static_cast<unsigned int>(nearest.which[i]); which > 0)
+      NearestOnProfile<width> nearest;
+      if (!nearest_as_known<width>(teeth, place, p, nearest))
+        {
+          nearest = nearest_on_profile<width>(teeth, p);
+          for (int i = 0; i < width; ++i)
             {
-              const double at[2] = {p[0][i], p[1][i]};
-              double       normal[2];
+              const double       at[2] = {p[0][i], p[1][i]};
+              const unsigned int which = static_cast<unsigned int>(nearest.which[i]);
+              // a tenth more: a roller may be an oval
+              const double room = 1.1 * law.of(planar_touch_room, place)[i];
+              keep_nearest<width>(
+                  teeth,
+                  place + i,
+                  {which > 0 ? (which - 1) / 2 : static_cast<unsigned int>(nearest.segment[i]),
+                   which > 0 ? (which - 1) % 2 + 1 : 0,
+                   nearest.distance[i]},
+                  at,
+                  room);
+              if (which == 0)
+                continue;
+              double normal[2];
               set_lane(nearest.signed_distance,
                        i,
                        end_of_profile(teeth, which, at, nearest.distance[i], normal));
@@ -384,6 +399,7 @@ void press_teeth_of(PlanarSlots           bodies,
                              0. :
                              1. / nearest.signed_distance[i]);
             }
+        }
       P gap = nearest.signed_distance - P::load(law.of(planar_touch_room, place));
       // back from the sector to the sprocket's frame, and from there to the world
       const P y              = side * nearest.normal[1];

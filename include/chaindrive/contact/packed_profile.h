@@ -28,7 +28,8 @@ struct NearestOnProfile
   P distance;                   ///< not signed, m
   P signed_distance, normal[2]; ///< where it is between the ends of a segment
   P which; ///< 0: between the ends of a segment; 2 i + 1 or 2 i + 2: the begin or end of segment i
-  P turn;  ///< how the normal turns along the tangent, 1/m
+  P segment; ///< the number of the segment
+  P turn;    ///< how the normal turns along the tangent, 1/m
 };
 
 template <int width>
@@ -39,7 +40,7 @@ nearest_on_profile(const PlanarTeeth &teeth, const Pack<double, width> (&p)[2])
   NearestOnProfile<width> best;
   const P                 zero(0.);
   best.distance        = P(1e300);
-  best.signed_distance = best.normal[0] = best.normal[1] = best.which = zero;
+  best.signed_distance = best.normal[0] = best.normal[1] = best.which = best.segment = zero;
   P curved(0.);           // 1: an arc
   P length(1.), sign(1.); // what normals are still to be divided by and multiplied with
   for (unsigned int i = 0; i < teeth.n_segments; ++i)
@@ -81,6 +82,7 @@ nearest_on_profile(const PlanarTeeth &teeth, const Pack<double, width> (&p)[2])
       keep_nearer(best.normal[0], normal[0]);
       keep_nearer(best.normal[1], normal[1]);
       keep_nearer(best.which, which);
+      keep_nearer(best.segment, P(double(i)));
       keep_nearer(length, norm);
       keep_nearer(sign, P(s.kind == 0 ? 1. : double(s.kind)));
       keep_nearer(curved, P(s.kind == 0 ? 0. : 1.));
@@ -91,6 +93,149 @@ nearest_on_profile(const PlanarTeeth &teeth, const Pack<double, width> (&p)[2])
   for (P &component : best.normal)
     component = component * outward;
   return best;
+}
+
+/// The distance of the point @p p from @p s between its ends [m], with its sign; @p inside becomes
+/// how far it may go before it is not between them any more or, negative, how far it is from there.
+CHAINDRIVE_ALWAYS_INLINE double
+distance_between_ends(const PlanarSegment &s, const double (&p)[2], double &inside)
+{
+  if (s.kind == 0)
+    {
+      const double d[2]      = {s.end[0] - s.begin[0], s.end[1] - s.begin[1]},
+                   offset[2] = {p[0] - s.begin[0], p[1] - s.begin[1]};
+      const double one       = 1. / __builtin_sqrt(d[0] * d[0] + d[1] * d[1]);
+      const double along     = one * (offset[0] * d[0] + offset[1] * d[1]);
+      inside                 = least(along, 1. / one - along);
+      return one * (offset[0] * d[1] - offset[1] * d[0]);
+    }
+  const double w[2] = {p[0] - s.centre[0], p[1] - s.centre[1]},
+               norm = __builtin_sqrt(w[0] * w[0] + w[1] * w[1]);
+  // what is halved grows by no more than twice the way
+  inside = 0.5 * (w[0] * s.middle[0] + w[1] * s.middle[1] - norm * s.half_cosine);
+  return s.kind * (norm - s.radius);
+}
+
+/// What is nearest to a point: @p segment between its ends (@p end 0), or its begin or end (1, 2).
+struct NearestPiece
+{
+  unsigned int segment, end;
+  double       distance; ///< m
+};
+
+/// How far the point @p p may go [m] before another piece of the profile than @p nearest is
+/// nearest, or a roller of the radius @p room [m] may touch a corner; not positive where that is
+/// not known. A template, so that each instruction set has its own.
+///
+/// A distance grows or falls by no more than the way. Where the profile is smooth, or has a convex
+/// corner, the end that two segments share is never nearer than the one of them between whose ends
+/// the point is.
+template <int width>
+double way_to_others(const PlanarTeeth  &teeth,
+                     const NearestPiece &nearest,
+                     const double (&p)[2],
+                     const double room)
+{
+  constexpr double     round_off = 1e-6; // m; where two are equally near there is no telling
+  const PlanarSegment &own       = teeth.segments[nearest.segment];
+  const bool           between   = nearest.end == 0;
+  double               way       = 0.;
+  if (between)
+    distance_between_ends(own, p, way);
+  else if (own.corner[nearest.end - 1] <= 0)
+    return 0.;
+  else
+    way = nearest.distance - room;
+  // whether the begin (0) or end (1) of segment i is an end of what is nearest, or just that
+  const auto is_own = [&](const unsigned int i, const unsigned int e) {
+    const unsigned int at = i == nearest.segment               ? e :
+                            i == nearest.segment + 1 && e == 0 ? 1 :
+                            i + 1 == nearest.segment && e == 1 ? 0 :
+                                                                 2;
+    return at < 2 && (between ? own.corner[at] >= 0 : nearest.end == at + 1);
+  };
+  for (unsigned int i = 0; i < teeth.n_segments; ++i)
+    {
+      const PlanarSegment &s = teeth.segments[i];
+      double               inside;
+      const double         away = distance_between_ends(s, p, inside);
+      if (inside > 0.)
+        {
+          if (!between || i != nearest.segment)
+            way = least(way, 0.5 * (greatest(away, -away) - nearest.distance));
+        }
+      else if (!between && (is_own(i, 0) || is_own(i, 1)))
+        way = least(way, -inside); // between its ends it is nearer than its end
+      for (unsigned int e = 0; e < 2; ++e)
+        if (!is_own(i, e))
+          {
+            const double *at   = e == 0 ? s.begin : s.end;
+            const double  d[2] = {p[0] - at[0], p[1] - at[1]};
+            way = least(way, 0.5 * (__builtin_sqrt(d[0] * d[0] + d[1] * d[1]) - nearest.distance));
+          }
+    }
+  return way - round_off;
+}
+
+/// Keeps what is @p nearest to the point @p p of the roller at @p place of @p teeth.
+template <int width>
+void keep_nearest(const PlanarTeeth  &teeth,
+                  const unsigned int  place,
+                  const NearestPiece &nearest,
+                  const double (&p)[2],
+                  const double room)
+{
+  const PlanarSegment &s   = teeth.segments[nearest.segment];
+  const auto           set = [&](const unsigned int entry, const double x) {
+    teeth.known[entry * teeth.n + place] = x;
+  };
+  const double way = way_to_others<width>(teeth, nearest, p, room);
+  set(known_room, way > 0. ? way * way : -1.);
+  const bool between = nearest.end == 0, is_line = between && s.kind == 0;
+  set(known_radius, between ? s.radius : 0.);
+  set(known_sign, is_line ? 0. : between ? s.kind : 1.);
+  // as in nearest_on_profile()
+  const double  d[2]   = {s.end[0] - s.begin[0], s.end[1] - s.begin[1]};
+  const double  square = d[0] * d[0] + d[1] * d[1], one = 1. / __builtin_sqrt(square);
+  const double  normal[2] = {d[1] * one, -d[0] * one};
+  const double *centre    = nearest.end == 1 || is_line ? s.begin :
+                            nearest.end == 2            ? s.end :
+                                                          s.centre;
+  for (unsigned int i = 0; i < 2; ++i)
+    {
+      set(known_at + i, p[i]);
+      set(known_centre + i, centre[i]);
+      set(known_normal + i, is_line ? normal[i] : 0.);
+    }
+}
+
+/// What nearest_on_profile() would find for the rollers from @p place on, which have stayed where
+/// it is known. Returns false if one of them has not.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE bool nearest_as_known(const PlanarTeeth &teeth,
+                                               const unsigned int place,
+                                               const Pack<double, width> (&p)[2],
+                                               NearestOnProfile<width> &nearest)
+{
+  using P             = Pack<double, width>;
+  const auto entry_at = [&](const unsigned int entry) {
+    return P::load(teeth.known + entry * teeth.n + place);
+  };
+  const P zero(0.), gone[2] = {p[0] - entry_at(known_at), p[1] - entry_at(known_at + 1)};
+  if (any_less(entry_at(known_room), gone[0] * gone[0] + gone[1] * gone[1]))
+    return false;
+  const P w[2]            = {p[0] - entry_at(known_centre), p[1] - entry_at(known_centre + 1)};
+  const P norm            = square_root(w[0] * w[0] + w[1] * w[1]);
+  const P sign            = entry_at(known_sign);
+  const P line[2]         = {entry_at(known_normal), entry_at(known_normal + 1)};
+  const P arc             = sign * sign;
+  const P outward         = sign / greatest(norm, P(1e-300));
+  const P signed_distance = sign * (norm - entry_at(known_radius));
+  nearest.turn            = outward;
+  nearest.signed_distance = if_less(zero, arc, signed_distance, w[0] * line[0] + w[1] * line[1]);
+  for (int d = 0; d < 2; ++d)
+    nearest.normal[d] = if_less(zero, arc, w[d] * outward, line[d]);
+  return true;
 }
 
 /// Signed distance and normal of the point @p p, whose nearest point is the end @p which of the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/contact/forces_in_places.h>
 #include <chaindrive/contact/planar_contact_kernels.h>
 #include <chaindrive/contact/point_contact.h>
 
@@ -60,8 +61,12 @@ protected:
   /// Books @p energies, since the last evaluation of what is stored, in the ledger of @p world.
   static void book(const PlanarEnergies &energies, World &world);
 
-  /// Gap between two teeth that the contact at @p place is in.
-  virtual unsigned int feature_at(unsigned int /*place*/) const { return 0; }
+  /// [place], the gap between two teeth that the contact is in; null: there are none.
+  virtual const unsigned int *features() const { return nullptr; }
+
+  /// See ForcesInPlaces.
+  ForcesInPlaces::View      view() const;
+  std::vector<unsigned int> joints() const;
 
   static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
@@ -85,13 +90,16 @@ private:
 };
 
 /// Cylinders in bores.
-class PlanarBores : public PlanarContact
+class PlanarBores : public PlanarContact, public ForcesInPlaces
 {
 public:
   /// Null if not all of them are on bodies that move in the plane, or not as many points of each.
   static std::unique_ptr<PlanarBores> make(const scene::BoreFamily &family, const World &world);
 
   void add_forces(World &world, double dt) override;
+
+  View                      forces_in_places() const override { return view(); }
+  std::vector<unsigned int> joints_of_places() const override { return joints(); }
 
 private:
   PlanarBores(const scene::BoreFamily &family, const World &world);
@@ -122,15 +130,16 @@ private:
                const scene::SurfaceFamily &on_flanks,
                const World                &world);
 
-  unsigned int feature_at(const unsigned int place) const override { return gap_[place]; }
+  const unsigned int *features() const override { return gap_.data(); }
 
   /// Makes places for the pairs that are near.
   void place_near();
 
-  const PlanarBodies        &bodies_;
-  std::vector<PlanarSegment> segments_;
-  std::vector<double>        turns_;      ///< cosine and sine of the angle of each gap's sector
-  std::vector<double>        shifted_;    ///< of the gaps themselves, if others
-  std::vector<unsigned int>  slot_, gap_; ///< [place]
+  const PlanarBodies           &bodies_;
+  std::vector<PlanarSegment>    segments_;
+  std::vector<double>           turns_;      ///< cosine and sine of the angle of each gap's sector
+  std::vector<double>           shifted_;    ///< of the gaps themselves, if others
+  std::vector<unsigned int>     slot_, gap_; ///< [place]
+  dealii::AlignedVector<double> known_;      ///< [KnownNearest][place]
 };
 } // namespace chaindrive::contact

@@ -66,6 +66,20 @@ struct PlanarSegment
   int    corner[2];        ///< at its begin and end; 0: none, 1: convex, -1: concave
 };
 
+/// Of a roller near teeth the piece of the profile that is nearest, [KnownNearest][place]: as long
+/// as the roller stays near the place where that was found, no other piece need be looked at.
+enum KnownNearest : unsigned int
+{
+  known_at     = 0,    ///< that place, folded into the half sector of the profile, x and y, m
+  known_room   = 2,    ///< square of how far the roller may go from there, m2; negative: nowhere
+  known_centre = 3,    ///< of the arc, x and y, or a point of the line, m; a corner is an arc of
+                       ///< radius 0, from which the roller is too far away to touch it
+  known_radius    = 5, ///< m
+  known_sign      = 6, ///< 1: convex, -1: concave arc, 0: line
+  known_normal    = 7, ///< out of the metal, of a line, x and y
+  n_known_nearest = 9
+};
+
 /// Rollers near the teeth of a sprocket.
 struct PlanarTeeth
 {
@@ -77,6 +91,7 @@ struct PlanarTeeth
   unsigned int         n;       ///< places, a multiple of n_lanes
   const unsigned int  *slot;    ///< of the roller at each place; without one, that of another
   unsigned int        *gap;     ///< [place], the gap that the roller is in, kept fresh
+  double              *known;   ///< [KnownNearest][place], kept fresh, aligned to 64 bytes
 
   double position[2], velocity[2], rotation[2], spin; ///< of the sprocket; rotation: cosine, sine
   double force[2], moment;                            ///< on it, are set; N, N m

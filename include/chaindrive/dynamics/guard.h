@@ -161,6 +161,12 @@ private:
 
   static Vector3 force_on_hubs(const World &world);
 
+  /// Remembers velocities and forces of @p world for faults_of_balance(). Those of bodies in the
+  /// plane are taken from where they stand, and go to their places in last_ by complete_last() when
+  /// somebody reads these.
+  void remember(const World &world);
+  void complete_last(const World &world);
+
   const scene::Scene &scene_;
   EnergyGuard         energy_;
   double              least_energy_;       ///< that is judged, J
@@ -183,5 +189,6 @@ private:
   Vector3             hub_impulse_;        ///< N s
   Ledger              before_;             ///< at the last look
   LastStep            last_;               ///< the step before a look
+  std::vector<double> last_in_plane_; ///< what complete_last() has to write there; none: nothing
 };
 } // namespace chaindrive::dynamics

@@ -19,10 +19,12 @@ struct Stretch
 /// Appends to @p to the @p n numbers from @p first of @p values, packed as a stream of zlib's
 /// format (RFC 1950, 1951). Repeats are looked for at the distances of @p stretches alone, which
 /// are those of @p values from the first one on; numbers after the last stretch are not searched.
-/// With the fixed Huffman code this takes a fifth of the time of a search for any repeats.
+/// With the fixed Huffman code this takes a fifth of the time of a search for any repeats. @p room
+/// is where it works; who calls again hands over the same.
 void append_known_repeats(const void                 *values,
                           std::size_t                 first,
                           std::size_t                 n,
                           const std::vector<Stretch> &stretches,
+                          std::vector<char>          &room,
                           std::string                &to);
 } // namespace chaindrive::files

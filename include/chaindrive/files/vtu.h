@@ -52,15 +52,20 @@ struct VtuGrid
   std::vector<RigidBody> rigid_bodies;
 };
 
-/// The arrays of integers of the last output of a series by their names, and what they were packed
-/// to: most outputs have the same.
+/// What one output of a series leaves for the next.
 struct VtuPacked
 {
+  /// Its arrays of integers by their names, and what they were packed to: most outputs have the
+  /// same.
   struct Array
   {
     std::string plain, packed;
   };
   std::map<std::string, Array> arrays;
+
+  /// Room, so that nobody need ask the system for it again, which would hand out empty pages.
+  std::string       binary;
+  std::vector<char> room;
 };
 
 /// Writes @p grid at @p time [s], compressed quickly rather than well; what hardly shrinks is

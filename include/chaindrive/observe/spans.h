@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/contact/forces_in_places.h>
 #include <chaindrive/dynamics/system.h>
 #include <chaindrive/scene/scene.h>
 
@@ -50,6 +51,9 @@ public:
 
 private:
   void joint_forces(const dynamics::System &system);
+
+  /// The same of links in the plane whose pins touch in places.
+  void joint_forces_in_places(const PlanarBodies &planar);
 
   /// The span in whose middle the link from @p first to @p second [m] is, or none, which is the
   /// number of spans. This @p holds until one of these points has moved so far, m.
@@ -101,14 +105,18 @@ private:
   dealii::Tensor<1, 3>
                     mirrored_; ///< mirror image of the tight span's normal in its line of centres
   std::vector<Span> spans_;
-  std::vector<Link> links_;                        ///< [joint]; none in simple fidelity
-  std::vector<const contact::Family *> joints_;    ///< bush-pin; none in simple fidelity
-  std::vector<dealii::Tensor<1, 3>>    pin_force_; ///< on the pin of each joint, N
-  std::vector<double>                  tension_;
-  std::vector<unsigned int>            n_links_; ///< of each span, at the last update
-  std::vector<Member>                  member_;  ///< by link
-  std::vector<unsigned int>            slots_;   ///< [joint], of its roller in World::planar; none
-                                                 ///< if the links are not all in the plane
+  std::vector<Link> links_;                                  ///< [joint]; none in simple fidelity
+  std::vector<const contact::Family *> joints_;              ///< bush-pin; none in simple fidelity
+  std::vector<dealii::Tensor<1, 3>>    pin_force_;           ///< on the pin of each joint, N
+  const contact::ForcesInPlaces       *in_places_ = nullptr; ///< bush-pin; null unless all links
+                                                             ///< are in the plane
+  std::vector<unsigned int> place_; ///< [joint], and of the first one again behind the last
+  std::vector<double>       force_x_, force_y_; ///< on the pin at each place, N
+  std::vector<double>       tension_;
+  std::vector<unsigned int> n_links_; ///< of each span, at the last update
+  std::vector<Member>       member_;  ///< by link
+  std::vector<unsigned int> slots_;   ///< [joint], of its roller in World::planar; none
+                                      ///< if the links are not all in the plane
   std::vector<std::pair<unsigned int, unsigned int>>
          members_;               ///< links in the middle of spans, ascending, and these
   double first_to_look_at_ = 0.; ///< the earliest of Member::until, m

@@ -52,14 +52,12 @@ struct ToothForces
               roller[press.joint] += press.normal;
               in_gap[press.feature] += press.normal;
             }
-          penetration = std::max(penetration, -press.gap);
+          // elsewhere forces are zero, and peaks are not less; sums of several only grow
+          roller_peak[press.joint]   = std::max(roller_peak[press.joint], roller[press.joint]);
+          in_gap_peak[press.feature] = std::max(in_gap_peak[press.feature], in_gap[press.feature]);
+          penetration                = std::max(penetration, -press.gap);
           pressed_.emplace_back(press.joint, press.feature);
         }
-    for (const auto &[joint, gap] : pressed_) // elsewhere forces are zero, and peaks are not less
-      {
-        roller_peak[joint] = std::max(roller_peak[joint], roller[joint]);
-        in_gap_peak[gap]   = std::max(in_gap_peak[gap], in_gap[gap]);
-      }
   }
 
   /// The forces have come from elsewhere, a checkpoint: the next update() replaces all of them.

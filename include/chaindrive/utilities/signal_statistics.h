@@ -65,6 +65,9 @@ private:
   double             start_, end_; ///< s
   State              state_;
   std::vector<Piece> pieces_;
+  double             reached_ = -1.; ///< phase since the begin of the window at the last end of a
+                                     ///< piece, rad; below zero: none
+  Waves waves_there_{};
 };
 
 /// Time-weighted mean, standard deviation, least and largest value of a signal over a window, and

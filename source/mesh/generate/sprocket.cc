@@ -82,9 +82,12 @@ graded(const double outer, const double inner, const double size, const double r
 class HalfSector
 {
 public:
+  /// A @p picture has cells from the profile to its circle, from there to the hub and to the bore,
+  /// without any between.
   HalfSector(const drive::ToothForm   &form,
              const SprocketDimensions &dimensions,
-             unsigned int              refinement);
+             unsigned int              refinement,
+             bool                      picture);
 
   PlanarMesh        mesh;
   std::vector<bool> on_gap_line, on_tooth_line;
@@ -102,6 +105,8 @@ private:
   /// The zone of the hub below the last of @p rows. @p circle makes the line of one of a radius.
   template <typename Circle>
   void add_hub(const Rows &rows, double hub_radius, double bore_radius, const Circle &circle);
+
+  const bool picture_;
 };
 
 void HalfSector::add_row(const Line &line, Rows &rows)
@@ -119,7 +124,7 @@ void HalfSector::add_hub(const Rows   &rim_rows,
 {
   Rows               rows  = {rim_rows.back()};
   const double       ratio = bore_radius / hub_radius;
-  const unsigned int n_hub = count(-std::log(ratio), 0.4);
+  const unsigned int n_hub = picture_ ? 1 : count(-std::log(ratio), 0.4);
   for (unsigned int k = 1; k <= n_hub; ++k)
     add_row(circle(k == n_hub ? bore_radius : hub_radius * std::pow(ratio, double(k) / n_hub)),
             rows);
@@ -135,7 +140,9 @@ unsigned int HalfSector::add(const Point<2> &p, const bool gap_line, const bool 
 
 HalfSector::HalfSector(const drive::ToothForm   &form,
                        const SprocketDimensions &dimensions,
-                       const unsigned int        refinement)
+                       const unsigned int        refinement,
+                       const bool                picture)
+    : picture_(picture)
 {
   const double   half_pitch_angle = PI / form.teeth;
   const Point<2> axis             = polar(1., half_pitch_angle); // middle of the tooth
@@ -162,12 +169,15 @@ HalfSector::HalfSector(const drive::ToothForm   &form,
                               polar(r, half_pitch_angle * i / n));
     return line;
   };
+  const auto radii = [&](const double outer, const double inner) {
+    return picture ? std::vector<double>{outer, inner} : graded(outer, inner, size, 1.35);
+  };
   if (form.flat) // rings
     {
       const unsigned int n    = count(half_pitch_angle * root, size);
       const auto         ring = [&](const double r) { return circle_of(r, n); };
       Rows               rows;
-      for (const double r : graded(root, hub_radius, size, 1.35))
+      for (const double r : radii(root, hub_radius))
         add_row(ring(r), rows);
       mesh.add_grid(rows, rim, false);
       add_hub(rows, hub_radius, bore_radius, ring);
@@ -197,7 +207,7 @@ HalfSector::HalfSector(const drive::ToothForm   &form,
   if (root - hub_radius < 1.6 * depth)
     depth = root - hub_radius;
   const double       circle  = root - depth;
-  const unsigned int n_depth = count(depth, size), n_columns = n_seat + n_foot;
+  const unsigned int n_depth = picture ? 1 : count(depth, size), n_columns = n_seat + n_foot;
   const auto         arc     = [&](const double r) { return circle_of(r, n_columns); };
   const auto         part_of = [](const Line &line, unsigned int first, unsigned int last) {
     return Line(line.begin() + first, line.begin() + last + 1);
@@ -226,9 +236,9 @@ HalfSector::HalfSector(const drive::ToothForm   &form,
     }
   if (circle > hub_radius)
     {
-      const auto radii = graded(circle, hub_radius, size, 1.35);
-      for (std::size_t k = 1; k < radii.size(); ++k)
-        add_row(arc(radii[k]), rows);
+      const std::vector<double> rings = radii(circle, hub_radius);
+      for (std::size_t k = 1; k < rings.size(); ++k)
+        add_row(arc(rings[k]), rows);
     }
   mesh.add_grid(rows, rim, false);
 
@@ -245,9 +255,10 @@ HalfSector::HalfSector(const drive::ToothForm   &form,
 
 PlanarMesh sprocket_section(const drive::ToothForm   &form,
                             const SprocketDimensions &dimensions,
-                            const unsigned int        refinement)
+                            const unsigned int        refinement,
+                            const bool                picture)
 {
-  const HalfSector   half(form, dimensions, refinement);
+  const HalfSector   half(form, dimensions, refinement, picture);
   const unsigned int n = static_cast<unsigned int>(half.mesh.points.size());
   const unsigned int z = form.teeth;
 
@@ -322,7 +333,7 @@ Part make_sprocket(const drive::ToothForm   &form,
   part.n_sectors = form.teeth;
   part.half      = half;
   part.mesh      = sweep(
-      sprocket_section(form, dimensions, refinement),
+      sprocket_section(form, dimensions, refinement, picture),
       planes_of(0.5 * dimensions.width, layers, half),
       [](Component, unsigned int) { return true; },
       surface_of);

@@ -183,30 +183,28 @@ private:
     // that touches
     const std::vector<contact::SurfaceContact::Press> &presses = sprocket.teeth->presses();
     for (const auto &press : presses)
-      sprocket.force[press.joint] = 0.;
+      if (press.normal > 0.)
+        touch(sprocket, press, world);
+    if (sprocket.n_open == 0)
+      return;
     for (const auto &press : presses)
       for (unsigned int point = 0; point < press.n_points; ++point)
         sprocket.force[press.joint] += press.normal;
-    for (const auto &press : presses)
-      if (press.normal > 0. && sprocket.force[press.joint] > 0.)
-        touch(sprocket, press, world);
-
-    if (sprocket.n_open > 0)
-      for (const unsigned int joint : sprocket.near)
-        if (int &open = sprocket.open[joint]; open >= 0)
-          {
-            Engagement  &engagement = found_[open];
-            const double age        = world.time - engagement.time;
-            engagement.peak_force   = std::max(engagement.peak_force, sprocket.force[joint]);
-            if (age <= impulse_time)
-              engagement.impulse += sprocket.force[joint] * dt;
-            if (age >= peak_time)
-              {
-                engagement.complete = true;
-                open                = -1;
-                --sprocket.n_open;
-              }
-          }
+    for (const unsigned int joint : sprocket.near)
+      if (int &open = sprocket.open[joint]; open >= 0)
+        {
+          Engagement  &engagement = found_[open];
+          const double age        = world.time - engagement.time;
+          engagement.peak_force   = std::max(engagement.peak_force, sprocket.force[joint]);
+          if (age <= impulse_time)
+            engagement.impulse += sprocket.force[joint] * dt;
+          if (age >= peak_time)
+            {
+              engagement.complete = true;
+              open                = -1;
+              --sprocket.n_open;
+            }
+        }
     for (const auto &press : presses)
       sprocket.force[press.joint] = 0.;
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/contact/forces_in_places.h>
 #include <chaindrive/observe/link_kernels.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <set>
 
 // What the parts of a joint do to each other: pins in bushes, bushes in rollers.
@@ -37,6 +39,17 @@ public:
                           std::vector<double>(now.scene.drive.n_joints, 0.),
                           std::vector<double>(now.scene.drive.n_joints, 0.),
                           std::vector<double>(now.scene.drive.n_joints, 0.)});
+    for (Kind &kind : kinds_)
+      if (const auto *found = dynamic_cast<const contact::ForcesInPlaces *>(kind.families.front());
+          kind.families.size() == 1 && found != nullptr)
+        {
+          kind.place = places_of_joints(*found, now.scene.drive.n_joints);
+          if (kind.place.empty())
+            continue;
+          kind.in_places = found;
+          for (std::vector<double> *most : {&kind.peak_in_places, &kind.depth_in_places})
+            most->resize(found->forces_in_places().n, 0.);
+        }
   }
 
   bool reads_bodies() const override { return false; }
@@ -88,17 +101,26 @@ public:
   void update() override
   {
     for (Kind &kind : kinds_)
-      {
-        std::fill(kind.force.begin(), kind.force.end(), 0.);
-        for (const contact::Family *family : kind.families)
-          kind.penetration = std::max(kind.penetration, family->add_normal_forces(kind.force));
-        kernels_.raise(
-            kind.peak.data(), kind.force.data(), static_cast<unsigned int>(kind.force.size()));
-      }
+      if (kind.in_places != nullptr)
+        {
+          const contact::ForcesInPlaces::View now = kind.in_places->forces_in_places();
+          kernels_.raise(kind.peak_in_places.data(), now.normal, now.n);
+          kernels_.raise(kind.depth_in_places.data(), now.penetration, now.n);
+        }
+      else
+        {
+          std::fill(kind.force.begin(), kind.force.end(), 0.);
+          for (const contact::Family *family : kind.families)
+            kind.penetration = std::max(kind.penetration, family->add_normal_forces(kind.force));
+          kernels_.raise(
+              kind.peak.data(), kind.force.data(), static_cast<unsigned int>(kind.force.size()));
+        }
   }
 
   void gather() override
   {
+    for (Kind &kind : kinds_)
+      kind.take_from_places();
     for (Kind &kind : kinds_)
       if (know_pressure(kind.families))
         {
@@ -117,7 +139,7 @@ public:
   {
     for (const Kind &kind : kinds_)
       {
-        summary["penetration_max"][kind.name] = kind.penetration;
+        summary["penetration_max"][kind.name] = kind.deepest();
         if (know_pressure(kind.families))
           summary["contact_pressure_max"][kind.name] = kind.pressure_max;
       }
@@ -128,8 +150,11 @@ public:
     for (Kind &kind : kinds_)
       {
         const Archive part = archive / kind.name;
+        kind.take_from_places();
         part.numbers("peak", kind.peak);
+        kind.penetration = kind.deepest();
         part("overlap", kind.penetration);
+        std::fill(kind.depth_in_places.begin(), kind.depth_in_places.end(), 0.);
         part("pressure", kind.pressure_max);
       }
   }
@@ -145,6 +170,33 @@ private:
 
     /// Largest in the window so far, Pa.
     double pressure_max = std::numeric_limits<double>::quiet_NaN();
+
+    // where forces stand in places, joints are told when somebody asks
+    const contact::ForcesInPlaces *in_places       = nullptr;
+    std::vector<unsigned int>      place           = {}; ///< [joint]
+    std::vector<double>            peak_in_places  = {}; ///< since that was so last, N
+    std::vector<double>            depth_in_places = {}; ///< largest penetrations, m
+
+    double deepest() const ///< m
+    {
+      return std::accumulate(depth_in_places.begin(),
+                             depth_in_places.end(),
+                             penetration,
+                             [](const double a, const double b) { return std::max(a, b); });
+    }
+
+    void take_from_places()
+    {
+      if (in_places == nullptr)
+        return;
+      const double *now = in_places->forces_in_places().normal;
+      for (std::size_t k = 0; k < place.size(); ++k)
+        {
+          force[k] = now[place[k]];
+          peak[k]  = std::max(peak[k], peak_in_places[place[k]]);
+        }
+      std::fill(peak_in_places.begin(), peak_in_places.end(), 0.);
+    }
   };
   const LinkKernels &kernels_ = *link_kernels(simd_width());
   std::vector<Kind>  kinds_;

@@ -20,14 +20,17 @@ struct SprocketDimensions
 ///
 /// A sector is symmetric about its gap. Each half has a block for the tooth, one below it and one
 /// below the seat; the three meet in a point of the profile at angles of about 60 degrees. Rings
-/// follow below the teeth, down to the hub circle and the bore.
+/// follow below the teeth, down to the hub circle and the bore. A @p picture has the same outline,
+/// but one row of cells where there are several rings.
 PlanarMesh sprocket_section(const drive::ToothForm   &form,
                             const SprocketDimensions &dimensions,
-                            unsigned int              refinement);
+                            unsigned int              refinement,
+                            bool                      picture = false);
 
 /// A sprocket of hexahedra, exactly cyclic (see Part::n_sectors): origin on the axis in the middle
 /// plane, gap 0 centred on +x. Throws InputError for sizes that do not fit. Refinement levels 0
-/// to 4. For @p half see Part::half. A @p picture has one cell from face to face.
+/// to 4. For @p half see Part::half. A @p picture has one cell from face to face, and
+/// few between its teeth and its bore.
 Part make_sprocket(const drive::ToothForm   &form,
                    const SprocketDimensions &dimensions,
                    double                    density,
