@@ -85,7 +85,8 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
       rings.number,
       rings.length,
       scene.material,
-      StripFlexibility::Tooth{teeth.tooth_stiffness, teeth.loaded_half_angle});
+      StripFlexibility::Tooth{
+          teeth.tooth_stiffness, teeth.loaded_half_angle, teeth.tooth_places, profile_.slopes()});
 
   owner_ = std::move(owner);
   for (const scene::SlavePoint &slave : teeth.slaves)

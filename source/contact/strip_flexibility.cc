@@ -205,9 +205,75 @@ void StripFlexibility::add_tooth(const Tooth               &tooth,
       const double x = k * tooth.half_angle, mean = 2. * dealii::std_cxx17::cyl_bessel_j(1., x) / x;
       of_dents += of_half_space * mean * mean / (k * length);
     }
-  const double rest = std::max(0., 1. / tooth.stiffness - of_dents);
-  for (double &value : value_)
-    value += rest;
+  const auto rest = [&](const double stiffness) { return std::max(0., 1. / stiffness - of_dents); };
+  if (tooth.places.empty())
+    {
+      for (double &value : value_)
+        value += rest(tooth.stiffness);
+      return;
+    }
+  std::array<double, 3> at{}, compliance{};
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      at[i]         = tooth.places.at(i).angle;
+      compliance[i] = rest(tooth.places[i].stiffness);
+    }
+  const SeatMotion   seat(at,
+                        compliance,
+                        tooth.half_angle,
+                        *std::max_element(tooth.slopes.begin(), tooth.slopes.end()));
+  const unsigned int m = n_rings();
+  for (unsigned int a = 0; a < grid_.size(); ++a)
+    for (unsigned int b = 0; b <= a; ++b)
+      {
+        const double moved = seat(tooth.slopes.at(a), tooth.slopes.at(b));
+        for (unsigned int r = 0; r < m; ++r)
+          for (unsigned int s = 0; s < m; ++s)
+            value_[std::size_t(a * m + r) * n() + b * m + s] += moved;
+      }
+}
+
+SeatMotion::SeatMotion(const std::array<double, 3> &at,
+                       const std::array<double, 3> &compliance,
+                       const double                 half_angle,
+                       const double                 end)
+{
+  // means of cos, sin and sin^3 under the pressure; with x = h sin(u) it is even in the angle u
+  // after a factor of cos^2 u
+  struct Means
+  {
+    double cosine = 0., sine = 0., cube = 0.;
+  };
+  std::array<Means, 3>   means;
+  constexpr unsigned int n = 200;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const double u = PI * ((k + 0.5) / n - 0.5), share = 2. / n * std::cos(u) * std::cos(u),
+                     a = std::clamp(at[i] + half_angle * std::sin(u), -end, end);
+        means[i].cosine += share * std::cos(a);
+        means[i].sine += share * std::sin(a);
+        means[i].cube += share * std::pow(std::sin(a), 3);
+      }
+  along_ = std::sqrt(compliance[0]) / means[0].cosine;
+  std::array<double, 2> wanted{}; // means of f
+  for (const unsigned int i : {0u, 1u})
+    wanted[i] =
+        std::sqrt(std::max(0., compliance[i + 1] - std::pow(along_ * means[i + 1].cosine, 2)));
+  const double determinant = means[1].sine * means[2].cube - means[2].sine * means[1].cube;
+  first_                   = (wanted[0] * means[2].cube - wanted[1] * means[1].cube) / determinant;
+  third_                   = (means[1].sine * wanted[1] - means[2].sine * wanted[0]) / determinant;
+}
+
+double SeatMotion::across(const double a) const
+{
+  const double sine = std::sin(a);
+  return sine * (first_ + third_ * sine * sine);
+}
+
+double SeatMotion::operator()(const double a, const double b) const
+{
+  return along_ * along_ * std::cos(a) * std::cos(b) + across(a) * across(b);
 }
 
 WallFlexibility::WallFlexibility(const reduction::RoundFlexibility          &outside,

@@ -79,6 +79,7 @@ std::vector<double> ends_of(const ToothForm &form, const double radius)
 ToothStrips::ToothStrips(const ToothForm &form, const double radius)
 {
   const std::vector<double> half = ends_of(form, radius);
+  const drive::Segment     &seat = form.half_profile.front();
   std::vector<double>       ends;
   for (std::size_t i = half.size(); i-- > 1;)
     ends.push_back(-half[i]);
@@ -88,6 +89,7 @@ ToothStrips::ToothStrips(const ToothForm &form, const double radius)
       const double middle = 0.5 * (ends[i] + ends[i + 1]), wide = 0.5 * (ends[i + 1] - ends[i]);
       grid_.middle.push_back(middle / radius);
       grid_.half_width.push_back(wide / radius);
+      slopes_.push_back(std::clamp(middle, -seat.length(), seat.length()) / seat.radius);
       Strip strip;
       strip.middle = point_at(form, middle);
       for (const unsigned int g : {0u, 1u})

@@ -270,6 +270,8 @@ void set_stiffnesses(const Parameters &parameters, const StiffnessOf &stiffness_
         parts.teeth.empty() ?
             tooth_stiffness(std::min(d.chain.roller_length, d.sprocket_width), steel) :
             parts.teeth[i]);
+  for (unsigned int i = 0; i < parts.tooth_places.size() && !contact.tooth_stiffness; ++i)
+    d.sprockets[i].tooth_places = parts.tooth_places[i];
   if (!model.is_elastic) // there the elastic bodies deflect
     refuse_soft_chain(parameters, d);
   d.notes.push_back("Stiffness per pitch " + to_text(d.stiffness_per_pitch, 4) + " N/m (" +

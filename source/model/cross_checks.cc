@@ -4,7 +4,7 @@
 #include <chaindrive/model/needs.h>
 #include <chaindrive/model/needs_rollers.h>
 #include <chaindrive/model/out_of_line.h>
-#include <chaindrive/model/planar.h>
+#include <chaindrive/model/refused_switches.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/utilities/errors.h>
 
@@ -583,7 +583,7 @@ std::vector<std::string> cross_check(const Parameters &parameters, const Effects
   check_noise(parameters, findings);
   check_mesh(parameters.mesh, findings);
 
-  for (const auto &more : {against_planar_motion(parameters, effects),
+  for (const auto &more : {refused_switches(parameters, effects),
                            against_misalignment(parameters, effects),
                            against_bush_chain(parameters),
                            against_oil_film(parameters, effects)})

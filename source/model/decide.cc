@@ -2,6 +2,7 @@
 #include <chaindrive/drive/chain.h>
 #include <chaindrive/model/decide.h>
 #include <chaindrive/model/needs.h>
+#include <chaindrive/model/tooth_places.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/utilities/text.h>
 
@@ -360,28 +361,24 @@ Decision planar_motion(const Parameters &p)
 Decision oval_rollers(const Parameters &p, const Decision &planar)
 {
   constexpr Effect effect = Effect::oval_rollers;
+  const auto       off    = [](const std::string &why) { return Decision{effect, false, why}; };
   if (is_elastic(p))
-    return {effect, false, "elastic rollers deform, rigid ones beside them stay round"};
+    return off("elastic rollers deform, rigid ones beside them stay round");
   if (!p.model.capabilities().has_clearances)
-    return {
-        effect, false, "fidelity " + p.model.fidelity + ": a roller is one lump with its links"};
+    return off("fidelity " + p.model.fidelity + ": a roller is one lump with its links");
   if (!has_rollers(p))
-    return {effect, false, no_rollers};
+    return off(no_rollers);
   if (p.effects.roller_bush_clearance == Switch::off)
-    return {effect, false, "a bush that fits its roller keeps it round"};
+    return off("a bush that fits its roller keeps it round");
   if (p.effects.oval_rollers != Switch::on)
-    return {effect,
-            false,
-            p.effects.oval_rollers == Switch::off ? switched(Switch::off, "Effects") :
-                                                    "auto: rigid rollers stay round"};
+    return off(p.effects.oval_rollers == Switch::off ? switched(Switch::off, "Effects") :
+                                                       "auto: rigid rollers stay round");
   // the contact of an oval of about the size of the clearance has two places, not one
   const drive::ChainDimensions chain = drive::make_chain(p.drive.chain);
   if (chain.roller_clearance() < 0.0005 * chain.roller_diameter)
-    return {effect,
-            false,
-            "bushes have a radial clearance of " + to_text(1e6 * chain.roller_clearance(), 3) +
-                " um in rollers, less than " + to_text(500. * chain.roller_diameter, 3) +
-                " um, a thousandth of their radius, and keep them round"};
+    return off("bushes have a radial clearance of " + to_text(1e6 * chain.roller_clearance(), 3) +
+               " um in rollers, less than " + to_text(500. * chain.roller_diameter, 3) +
+               " um, a thousandth of their radius, and keep them round");
   return {effect,
           planar.on,
           planar.on ? switched(Switch::on, "Effects") : "not planar: " + planar.reason};
@@ -548,7 +545,8 @@ Effects decide_effects(const Parameters &p)
     rims.push_back(elastic_sprocket(p, sprocket, rollers.on));
   const Decision faces = plate_faces(p, links.on), pictures = fields(p),
                  joints      = exact_joints(p, links.on, rollers.on),
-                 teeth       = exact_teeth(p, joints, faces.on);
+                 teeth       = exact_teeth(p, joints, faces.on),
+                 compliance  = tooth_compliance(p, rollers.on, rims);
   const Decision out_of_line = misalignment(p), planar = planar_motion(p);
   const double   friction = largest_friction(p, faces.on || out_of_line.on);
 
@@ -578,7 +576,8 @@ Effects decide_effects(const Parameters &p)
       rollers};
   all.insert(all.end(), rims.begin(), rims.end());
   all.insert(all.end(),
-             {tooth_compliance(p, rollers.on, rims),
+             {compliance,
+              tooth_places(p, compliance, teeth),
               plate_bending(p, links.on),
               reduced_bodies(p, links.on, rollers.on),
               joints,

@@ -96,7 +96,8 @@ std::optional<PartStiffnesses> part_stiffnesses(const Parameters &p, const Effec
                          !p.contact.roller_tooth_stiffness ||
                              (!p.contact.roller_bush_stiffness && has_clearances),
                          teeth_are_compliant(p, effects),
-                         effects.is_on(Effect::stiffness_curves)};
+                         effects.is_on(Effect::stiffness_curves),
+                         effects.is_on(Effect::tooth_places)};
 }
 
 Model make_model(const Parameters &p, const drive::Drive &drive, const Effects &effects)

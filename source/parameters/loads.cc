@@ -71,6 +71,13 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
          "Teeth of rigid sprockets deflect under each elastic or reduced roller with Contact/Tooth "
          "stiffness in N/m, a massless spring in series with the contact. auto: on in reduced "
          "fidelity, whose sprockets are rigid. off: teeth of rigid sprockets are rigid.");
+  effect("Tooth compliance over place",
+         tooth_places,
+         "Where rollers and teeth touch without penalty (Contact/Enforcement = exact), teeth are "
+         "softer the higher a roller bears, as elastic solutions have them at the bottom of the "
+         "seat, at its end and between. auto: off, they are as soft everywhere as at the end of "
+         "the seat, where rollers of new chains bear. on: what doc/accuracy-and-cost.md says of "
+         "it; it needs Contact/Tooth stiffness in N/m = auto and Model/Stiffness from = parts.");
   effect(
       "Plate bending",
       plate_bending,

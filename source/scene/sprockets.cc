@@ -227,7 +227,9 @@ ToothFamily with_elastic_rollers(const model::Model &model,
   if (deflects && exact)
     {
       // strips have what a tooth dents by themselves
-      teeth.tooth_stiffness   = scene.symmetry().share(tooth_stiffness);
+      teeth.tooth_stiffness = scene.symmetry().share(tooth_stiffness);
+      for (drive::PlacedStiffness &place : teeth.tooth_places)
+        place.stiffness = scene.symmetry().share(place.stiffness);
       teeth.loaded_half_angle = drive::conforming_contact(radius,
                                                           teeth.form->seat_radius - radius,
                                                           drive.reference_load / length,
@@ -317,6 +319,17 @@ ToothFamily with_rigid_rollers(const model::Model &model,
         }
   return teeth;
 }
+
+/// How stiff teeth are at @p places, in words after a value; empty: there are none.
+std::string over_place(const std::vector<drive::PlacedStiffness> &places)
+{
+  std::string text;
+  for (const drive::PlacedStiffness &place : places)
+    text += (text.empty() ? "; over place " : ", ") + to_text(place.stiffness, 4) + " at " +
+            to_text(180. / dealii::numbers::PI * place.angle, 3) + " deg";
+  return text + (text.empty() ? "" : " from the bottom of the seat");
+}
+
 } // namespace
 
 void make_compliant(ToothFamily    &teeth,
@@ -380,7 +393,9 @@ void add_sprockets(const model::Model             &model,
           check_inertia(body, sprocket.coupling.has_value(), *scene.sectors[body.part()], scene);
         }
 
-      const ToothFamily flanks = make_flanks(model, drive, sprocket, number, part.get(), scene);
+      ToothFamily flanks = make_flanks(model, drive, sprocket, number, part.get(), scene);
+      if (model.effects.is_on(Effect::tooth_places))
+        flanks.tooth_places = sprocket.tooth_places;
       if (sprocket.carries_plates())
         {
           for (ToothFamily &plates :
@@ -394,7 +409,8 @@ void add_sprockets(const model::Model             &model,
           !sprocket.form.flat)
         scene.notes.push_back(flanks.name + ": tooth and rim deflect under a roller by " +
                               to_text(model.tooth_stiffness[i].value, 4) + " N/m (" +
-                              (model.tooth_stiffness[i].given ? "given" : "auto") + ")");
+                              (model.tooth_stiffness[i].given ? "given" : "auto") + ")" +
+                              over_place(flanks.tooth_places));
       for (const Motion motion : {Motion::elastic, Motion::reduced})
         if (any_roller([motion](const Body &roller) { return roller.motion == motion; }))
           for (const mesh::Surface side : sides_on_teeth(drive.chain))

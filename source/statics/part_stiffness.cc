@@ -17,6 +17,9 @@ namespace
 constexpr const char *until_solved =
     "Stiffnesses are estimated from dimensions until the parts are solved.";
 
+/// Share of the way from the bottom of the seat to its end, at half of 1 - cos of that.
+constexpr double between_ends = 0.7;
+
 /// A stiffness rounded to five digits, the same for any number of ranks.
 double rounded(const double stiffness) { return std::stod(to_text(stiffness, 5)); }
 
@@ -56,6 +59,22 @@ holes_of(Library &library, const drive::ChainDimensions &chain, std::vector<std:
                   to_text(holes.inner, 3) + ", outside " + to_text(holes.outer, 3) +
                   " times the mean beside the hole.");
   return holes;
+}
+
+/// Tooth and rim of @p sprocket under a roller, which presses with @p load [N] in the direction
+/// @p angle [rad] from the bottom of the seat, N/m.
+double tooth_at(Library               &library,
+                const drive::Drive    &drive,
+                const drive::Sprocket &sprocket,
+                const double           angle,
+                const double           load)
+{
+  const ContactSolution pressed = at_force(
+      [&](const unsigned int n_angles) {
+        return library.pressed_roller(drive.chain, sprocket, drive.sprocket_width, n_angles, angle);
+      },
+      load);
+  return rounded(load / pressed.given_way.back());
 }
 
 drive::PartStiffness compute(const model::PartStiffnesses &wanted,
@@ -109,13 +128,15 @@ drive::PartStiffness compute(const model::PartStiffnesses &wanted,
             result.teeth.push_back(result.teeth.front());
             continue;
           }
-        const ContactSolution pressed = at_force(
-            [&](const unsigned int n_angles) {
-              return library.pressed_roller(
-                  drive.chain, sprocket, drive.sprocket_width, n_angles, seat_end(sprocket.form));
-            },
-            load);
-        result.teeth.push_back(rounded(load / pressed.given_way.back()));
+        result.teeth.push_back(tooth_at(library, drive, sprocket, seat_end(sprocket.form), load));
+      }
+  if (wanted.tooth_places)
+    for (const drive::Sprocket &sprocket : drive.sprockets)
+      {
+        std::vector<drive::PlacedStiffness> &places = result.tooth_places.emplace_back();
+        for (const double share : {0., between_ends, 1.})
+          if (const double angle = share * seat_end(sprocket.form); !sprocket.form.flat)
+            places.push_back({angle, tooth_at(library, drive, sprocket, angle, load)});
       }
   std::string of_curves;
   if (wanted.curves)

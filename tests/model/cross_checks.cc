@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <iostream>
+#include <vector>
 
 using chaindrive::Parameters;
 namespace model = chaindrive::model;
@@ -183,6 +184,18 @@ int main()
     p.effects.tooth_compliance         = Switch::on;
     p.drive.sprockets.driven().elastic = Switch::off;
   });
+  check([](Parameters &p) { p.effects.tooth_places = Switch::on; });
+  for (const auto &against : std::vector<std::function<void(Parameters &)>>{
+           [](Parameters &p) { p.effects.tooth_compliance = Switch::off; },
+           [](Parameters &p) { p.contact.enforcement = Enforcement::penalty; },
+           [](Parameters &p) { p.contact.tooth_stiffness = 3e8; },
+           [](Parameters &p) { p.model.stiffness_from = StiffnessFrom::dimensions; },
+           [](Parameters &) {}})
+    check([&](Parameters &p) {
+      p.model.fidelity       = "reduced";
+      p.effects.tooth_places = Switch::on;
+      against(p);
+    });
 
   std::cout << "reduction" << std::endl;
   check([](Parameters &p) {

@@ -63,18 +63,19 @@ inline const Size &size_of(const std::string &designation)
 
 struct Case
 {
-  std::string chain     = "525";
-  Place       place     = Place::seat;
-  double      stiffness = 0.; ///< of the tooth, N/m
-  double      load      = 0.; ///< N, by which the link is pressed
-  double      phase     = 0.; ///< of the roller, columns
-  double      above     = 0.; ///< the tooth at first, m
-  double      speed     = 0.; ///< towards it, m/s
-  double      friction  = 0.;
-  double      in_bore   = 0.;
-  double      spin      = 0.;   ///< rad/s
-  double      mass      = 1.;   ///< of the link, kg
-  bool        fine      = true; ///< is the link's mesh, else that of runs
+  std::string                         chain     = "525";
+  Place                               place     = Place::seat;
+  double                              stiffness = 0.; ///< of the tooth, N/m
+  std::vector<drive::PlacedStiffness> places    = {}; ///< or at places of the seat
+  double                              load      = 0.; ///< N, by which the link is pressed
+  double                              phase     = 0.; ///< of the roller, columns
+  double                              above     = 0.; ///< the tooth at first, m
+  double                              speed     = 0.; ///< towards it, m/s
+  double                              friction  = 0.;
+  double                              in_bore   = 0.;
+  double                              spin      = 0.;   ///< rad/s
+  double                              mass      = 1.;   ///< of the link, kg
+  bool                                fine      = true; ///< is the link's mesh, else that of runs
   /// Modes of rollers and links are slowed to these, kHz; 0: none.
   double slowed_rollers = 0., slowed_links = 0.;
 };
@@ -171,6 +172,7 @@ inline scene::Scene make(const Case &c)
   teeth.half_line          = drive::largest_half_angle(radius, radius, pressure, scene.material);
   teeth.sticking_stiffness = 1.2e8;
   teeth.tooth_stiffness    = c.stiffness;
+  teeth.tooth_places       = c.places;
   teeth.loaded_half_angle =
       drive::conforming_contact(radius, play, size.load / chain.roller_length, scene.material)
           .half_angle;

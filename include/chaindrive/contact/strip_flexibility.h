@@ -2,9 +2,11 @@
 #pragma once
 
 #include <chaindrive/contact/joint_flexibility.h>
+#include <chaindrive/drive/stiffness.h>
 #include <chaindrive/material/material.h>
 #include <chaindrive/reduction/round_flexibility.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -20,6 +22,33 @@ struct StripGrid
   unsigned int size() const { return static_cast<unsigned int>(middle.size()); }
 };
 
+/// How the seat between two teeth moves as a whole without inertia, beside what it dents: by a
+/// force at the bottom of the gap along the middle of this, and across it by one at the slope a
+/// (ToothStrips::slopes()) of
+///   f(a) = s sin a + t sin^3 a;
+/// what a normal force of one newton at b moves the surface at a by along its normal is
+///   r^2 cos a cos b + f(a) f(b).
+/// A ring on an elastic ground has t = 0; the bending of teeth makes it larger. r, s and t are
+/// those with which pressure in half of an ellipse about three places moves these by as much as is
+/// given.
+class SeatMotion
+{
+public:
+  /// Compliances [m/N] at the slopes @p at [rad], the first of which is zero, under pressure up to
+  /// @p half_angle [rad] on either side; slopes end at @p end.
+  SeatMotion(const std::array<double, 3> &at,
+             const std::array<double, 3> &compliance,
+             double                       half_angle,
+             double                       end);
+
+  double operator()(double a, double b) const; ///< slopes; m/N
+
+private:
+  double across(double a) const;
+
+  double along_ = 0., first_ = 0., third_ = 0.; ///< r, s, t, root of m/N
+};
+
 /// By how much gaps between strips of a roller and a tooth grow under even pressures on these
 /// without any inertia, ring by ring of the roller's nodes. It is the same wherever round the
 /// roller the strips are.
@@ -31,7 +60,7 @@ struct StripGrid
 /// cos(x / l) (Johnson, Contact Mechanics, 13.2), E' in plane strain. These are added; and where
 /// the harmonics of the mesh from a quarter of its columns on are stiffer than that they are made
 /// up to it. A tooth deflects like that in waves shorter than a quarter of the roller's
-/// circumference; all else of it is one number.
+/// circumference; all else of it is one number, or SeatMotion.
 class StripFlexibility
 {
 public:
@@ -39,6 +68,10 @@ public:
   {
     double stiffness  = 0.; ///< of tooth and rim under a roller, N/m; 0: it does not deflect
     double half_angle = 0.; ///< of the contact in the seat where it is that, rad
+
+    /// The same at the bottom of the seat and at two places above it, upwards; empty: everywhere.
+    std::vector<drive::PlacedStiffness> places = {};
+    std::vector<double>                 slopes = {}; ///< with places: ToothStrips::slopes()
   };
 
   /// Strips of those @p rings of the @p outside, by number, which are so long [m] as @p lengths

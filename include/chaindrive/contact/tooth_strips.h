@@ -35,12 +35,17 @@ public:
                  double                      distance,
                  std::vector<unsigned int>  &numbers) const;
 
+  /// Of each strip the angle between the normal of the seat there and that at the bottom of the
+  /// gap, with the sign of its side; on flanks that of the end of the seat, rad.
+  const std::vector<double> &slopes() const { return slopes_; }
+
   /// Where they are round a roller that rolls along the profile, from the bottom of the gap.
   const StripGrid &grid() const { return grid_; }
 
 private:
   std::vector<Strip>  strips_;
   StripGrid           grid_;
+  std::vector<double> slopes_;
   std::vector<double> x_, y_; ///< of their middles, made up to blocks by points far away, m
 };
 } // namespace chaindrive::contact

@@ -5,6 +5,7 @@
 #include <chaindrive/drive/programs.h>
 #include <chaindrive/drive/shaft.h>
 #include <chaindrive/drive/solids.h>
+#include <chaindrive/drive/stiffness.h>
 #include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/parameters/drive.h>
 
@@ -48,6 +49,9 @@ struct Sprocket
 
   double flat_stiffness  = 0.; ///< of one joint's contact with a drum, given or auto, N/m
   double tooth_stiffness = 0.; ///< of tooth and rim under a roller, given or auto, N/m
+
+  /// The same at places of the seat, from its bottom upwards; empty: not wanted, or not found.
+  std::vector<PlacedStiffness> tooth_places = {};
 };
 
 /// Sprocket number @p number of @p sprockets but for its solid and its program. A bore of a third

@@ -20,6 +20,13 @@ struct HoleFactors
   double inner, outer;
 };
 
+/// Tooth and rim of a sprocket under a roller at one place of the seat.
+struct PlacedStiffness
+{
+  double angle;     ///< from the bottom of the seat about its centre, rad
+  double stiffness; ///< N/m
+};
+
 /// Over load and place, of the pairs of parts where that has been found.
 struct StiffnessCurves
 {
@@ -41,6 +48,10 @@ struct PartStiffness
   std::vector<std::string> notes; ///< sentences for the log: where the values come from
 
   StiffnessCurves curves = {}; ///< where they are wanted: instead of the first three
+
+  /// Of each sprocket, where they are wanted: at the bottom of the seat, between and where #teeth
+  /// are; none of a drum.
+  std::vector<std::vector<PlacedStiffness>> tooth_places = {};
 
   /// Of a sprocket's hub and the link: of a roller pressed between them.
   double pressed_roller() const

@@ -107,10 +107,11 @@ Meshes meshes_of(const Parameters &parameters, const Effects &effects);
 /// that something deflects by.
 struct PartStiffnesses
 {
-  bool per_pitch;      ///< of the chain
-  bool rollers;        ///< between teeth and bushes
-  bool teeth;          ///< of rigid sprockets under a roller
-  bool curves = false; ///< and the first two over load and place
+  bool per_pitch;            ///< of the chain
+  bool rollers;              ///< between teeth and bushes
+  bool teeth;                ///< of rigid sprockets under a roller
+  bool curves       = false; ///< and the first two over load and place
+  bool tooth_places = false; ///< and the third over place
 };
 
 /// Empty if no solution is asked for: the estimates from dimensions serve. It is decided before

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <chaindrive/drive/stiffness_curve.h>
+#include <chaindrive/drive/stiffness.h>
 #include <chaindrive/parameters/choice.h>
 #include <chaindrive/scene/contact_law.h>
 
@@ -218,6 +218,8 @@ struct ToothFamily
   double tooth_stiffness = 0.;   ///< of a rigid sprocket's tooth and rim behind the contact with an
                                  ///< elastic slave, N/m; 0: they do not deflect
   double loaded_half_angle = 0.; ///< of the contact in the seat where it is that, rad
+  /// The same at places of the seat, of contact without penalty; empty: it is that everywhere.
+  std::vector<drive::PlacedStiffness> tooth_places = {};
   double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
   double half_line  = right_angle; ///< and on a straight flank, rad
   double sticking_stiffness = 0.;  ///< of friction on a roller without penalty, N/m

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <chaindrive/model/effects.h>
+#include <chaindrive/parameters/parameters.h>
+
+namespace chaindrive::model
+{
+/// Whether teeth of rigid sprockets are softer the higher a roller bears, where the decisions on
+/// their @p compliance and on contact without penalty, @p exact, are these.
+Decision
+tooth_places(const Parameters &parameters, const Decision &compliance, const Decision &exact);
+} // namespace chaindrive::model

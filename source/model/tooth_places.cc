@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/model/tooth_places.h>
+
+namespace chaindrive::model
+{
+Decision tooth_places(const Parameters &p, const Decision &compliance, const Decision &exact)
+{
+  using parameters::Switch;
+  const auto off = [](const std::string &why) {
+    return Decision{Effect::tooth_places, false, why};
+  };
+  if (!compliance.on)
+    return off("teeth do not deflect beside the contact: " + compliance.reason);
+  if (!exact.on)
+    return off("rollers and teeth touch by penalty: " + exact.reason);
+  const std::string switched =
+      "switched " + text_of(p.effects.tooth_places) + " in section Effects";
+  if (p.effects.tooth_places == Switch::off)
+    return off(switched);
+  if (p.effects.tooth_places == Switch::automatic)
+    return off("auto: teeth are as soft everywhere as at the end of the seat");
+  if (p.contact.tooth_stiffness)
+    return off("Contact/Tooth stiffness in N/m is one number");
+  if (p.model.stiffness_from == parameters::StiffnessFrom::dimensions)
+    return off("Model/Stiffness from = dimensions knows one stiffness of teeth");
+  return {Effect::tooth_places, true, switched};
+}
+} // namespace chaindrive::model
