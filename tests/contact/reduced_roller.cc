@@ -4,8 +4,7 @@
 // of an engagement: peaks agree within 10 %, impulses within 1 %, and forces filtered to 3 us
 // within 6 % of the peak, rms. Pressed by a bush, the reduced one is a little stiffer: it lacks
 // dents.
-#include "../support/reduced.h"
-#include "../support/tooth.h"
+#include "../support/roller_on_bush.h"
 
 #include <algorithm>
 #include <numeric>
@@ -28,23 +27,14 @@ struct Hit
 
 Hit hit(const drive::ToothForm &form, const double radius, const Place place)
 {
-  const double seat = 0.5 * form.root_diameter + radius;
-  const auto   at   = [&](const double r, const double angle) {
-    return dealii::Point<2>(r * std::cos(angle), r * std::sin(angle));
-  };
-  dealii::Point<2> x = at(seat + 2e-6, 0.);
+  constexpr double before = 2e-6;
   if (place == Place::flank)
     {
-      double low = 0., high = dealii::numbers::PI / form.teeth; // 3 mm above the bottom
-      for (unsigned int i = 0; i < 60; ++i)
-        {
-          const double middle = 0.5 * (low + high);
-          (form.closest_point(at(seat + 3e-3, middle)).distance > radius + 2e-6 ? low : high) =
-              middle;
-        }
-      x = at(seat + 3e-3, low);
+      const auto [centre, normal] = before_flank(form, radius, before);
+      return {centre, normal};
     }
-  const auto n = form.closest_point(x).normal;
+  const dealii::Point<2> x(0.5 * form.root_diameter + radius + before, 0.);
+  const auto             n = form.closest_point(x).normal;
   return {vector(x[0], x[1]), vector(n[0], n[1])};
 }
 
@@ -57,16 +47,10 @@ scene::Scene make_scene(const Place  place,
                         const bool   reduced)
 {
   Tooth c;
-  c.elastic             = false;
-  scene::Scene scene    = test::make_scene(c);
-  const auto   chain    = drive::make_chain(parameters::Chain());
-  const double density  = scene.material.density;
-  const auto   set_part = [&](const scene::Kind kind, mesh::Part &&part) {
-    scene.parts[kind] = std::make_shared<const mesh::Part>(std::move(part));
-  };
-  set_part(scene::Kind::roller, mesh::make_roller(chain, density, mesh::RollerGrid(3, 32, 6)));
-  set_part(scene::Kind::inner_link,
-           mesh::make_inner_link(chain, density, mesh::inner_link_grid(0)));
+  c.elastic          = false;
+  scene::Scene scene = test::make_scene(c);
+  const auto   chain = drive::make_chain(parameters::Chain());
+  mesh_roller_and_link(scene, chain, mesh::RollerGrid(3, 32, 6), mesh::inner_link_grid(0));
 
   const Hit  h = hit(*scene.teeth[0].form, 0.5 * chain.roller_diameter, place);
   const auto turn =
@@ -76,16 +60,8 @@ scene::Scene make_scene(const Place  place,
   roller.initial.position          = to_matrix(turn) * h.centre;
   roller.initial.rotation          = to_matrix(rotation_about_z(phase * dealii::numbers::PI / 16.));
   roller.initial.velocity          = vector(0., -speed);
-  // its bush stands where it will press
-  const Vector3 arm       = vector(0.5 * chain.inner_hole_pitch, 0.);
-  const double  clearance = 0.5 * (chain.roller_bore - chain.bush_diameter);
-  scene.bodies.push_back(body(scene::Motion::rigid,
-                              scene::Mount::free(),
-                              8.9e-3,
-                              vector(1., 1., 1.), // it does not turn
-                              roller.initial.position + arm - vector(0., clearance),
-                              roller.initial.velocity));
-  scene.bodies.back().kind = scene::Kind::inner_link;
+  // it does not turn, and its bush stands where it will press
+  scene.bodies.push_back(link_on_roller(chain, scene::Motion::rigid, 8.9e-3, 1., roller));
 
   // as in prm/paper/full.prm
   scene.teeth[0].law = {3.7e13, 3.6e6, friction, 3e13, 3e6};
@@ -93,12 +69,7 @@ scene::Scene make_scene(const Place  place,
   joint.name    = "roller-bush";
   joint.elastic = true;
   joint.law     = {9.8e13, 3.6e6, friction, 8e13, 3e6};
-  joint.pairs.push_back({0,
-                         dealii::Point<3>(),
-                         0.5 * chain.roller_bore,
-                         {2, dealii::Point<3>(-arm), 0.5 * chain.bush_diameter, 0},
-                         mesh::roller_bore,
-                         mesh::bush_outside_first});
+  joint.pairs.push_back(roller_on_bush(chain, 0, 2));
   scene.bores.push_back(joint);
   if (reduced)
     reduce(scene);

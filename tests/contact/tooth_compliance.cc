@@ -9,7 +9,7 @@
 // penalty. Pressed as hard as the limit of the step allows for, it is bounded at 0.98 of the limit
 // and not far beyond.
 #include "../support/blow_up.h"
-#include "../support/tooth.h"
+#include "../support/roller_on_bush.h"
 
 #include <chaindrive/drive/stiffness.h>
 #include <chaindrive/scene/build.h>
@@ -176,16 +176,10 @@ struct Pressing
 scene::Scene pressed(const Pressing &p)
 {
   Tooth c;
-  c.elastic             = p.elastic;
-  scene::Scene scene    = make_scene(c);
-  const auto   chain    = drive::make_chain(parameters::Chain());
-  const double density  = scene.material.density;
-  const auto   set_part = [&](const scene::Kind kind, mesh::Part &&part) {
-    scene.parts[kind] = std::make_shared<const mesh::Part>(std::move(part));
-  };
-  set_part(scene::Kind::roller, mesh::make_roller(chain, density, mesh::RollerGrid(3, 64, 6)));
-  set_part(scene::Kind::inner_link,
-           mesh::make_inner_link(chain, density, mesh::inner_link_grid(0)));
+  c.elastic          = p.elastic;
+  scene::Scene scene = make_scene(c);
+  const auto   chain = drive::make_chain(parameters::Chain());
+  mesh_roller_and_link(scene, chain, mesh::RollerGrid(3, 64, 6), mesh::inner_link_grid(0));
 
   const drive::Segment &seat   = scene.teeth[0].form->half_profile.front();
   const double          radius = 0.5 * chain.roller_diameter,
@@ -197,16 +191,13 @@ scene::Scene pressed(const Pressing &p)
   scene.bodies[1].initial.rotation = turn;
   scene.bodies[0].initial.position = turn * (centre + (seat.radius - radius) * outward);
   scene.bodies[0].initial.velocity = Vector3();
-  constexpr double mass            = 1.; // kg, so that the roller's own weight bends it little
-  const Vector3    inertia         = vector(1e6, 1e6, 1e6); // kg m2: it does not turn
-  const Vector3    arm             = vector(0.5 * chain.inner_hole_pitch, 0.);
-  const double     clearance       = 0.5 * (chain.roller_bore - chain.bush_diameter);
-  scene.bodies.push_back(body(p.is_modal ? scene::Motion::elastic : scene::Motion::rigid,
-                              scene::Mount::free(),
-                              mass,
-                              inertia,
-                              scene.bodies[0].initial.position + arm - vector(0., clearance)));
-  scene.bodies.back().kind = scene::Kind::inner_link;
+  constexpr double mass            = 1.;  // kg, so that the roller's own weight bends it little
+  constexpr double inertia         = 1e6; // kg m2: it does not turn
+  scene.bodies.push_back(link_on_roller(chain,
+                                        p.is_modal ? scene::Motion::elastic : scene::Motion::rigid,
+                                        mass,
+                                        inertia,
+                                        scene.bodies[0]));
 
   double thickness = thickness_below(*scene.parts[scene::Kind::roller], mesh::roller_outside);
   if (p.elastic)
@@ -221,12 +212,7 @@ scene::Scene pressed(const Pressing &p)
   joint.name    = "roller-bush";
   joint.elastic = true;
   joint.law     = {9.8e13, 3.6e6, 0., 0., 0.};
-  joint.pairs.push_back({0,
-                         dealii::Point<3>(),
-                         0.5 * chain.roller_bore,
-                         {2, dealii::Point<3>(-arm), 0.5 * chain.bush_diameter, 0},
-                         mesh::roller_bore,
-                         mesh::bush_outside_first});
+  joint.pairs.push_back(roller_on_bush(chain, 0, 2));
   if (p.sticks)
     for (scene::ContactLaw *law : {&scene.teeth[0].law, &joint.law})
       {
@@ -234,12 +220,12 @@ scene::Scene pressed(const Pressing &p)
         law->tangential_stiffness = 0.8 * law->stiffness;
       }
   joint.half_angle = drive::largest_half_angle(
-      0.5 * chain.bush_diameter, clearance, drive::breaking_pressure, scene.material);
+      0.5 * chain.bush_diameter, bush_clearance(chain), drive::breaking_pressure, scene.material);
   scene.bores.push_back(joint);
   if (!p.elastic)
     reduce(scene, p.basis);
   scene.bodies[2].mass    = mass;
-  scene.bodies[2].inertia = inertia;
+  scene.bodies[2].inertia = vector(inertia, inertia, inertia);
   scene.loads.gravity     = p.load / (mass + scene.bodies[0].mass);
   scene.loads.drag        = 2e4;
   return scene;

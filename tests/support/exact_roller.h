@@ -4,8 +4,7 @@
 // Two reduced rollers between teeth and the bushes of a link, none of which have a penalty, of
 // three chains.
 
-#include "reduced.h"
-#include "tooth.h"
+#include "roller_on_bush.h"
 
 #include <chaindrive/drive/stiffness.h>
 #include <chaindrive/scene/build.h>
@@ -82,7 +81,7 @@ struct Case
 
 /// Centre of the roller at the tooth and the normal there, in the sprocket's frame.
 inline std::pair<Vector3, Vector3>
-touch(const drive::ToothForm &form, const double radius, const double pitch, const Place place)
+touch(const drive::ToothForm &form, const double radius, const Place place)
 {
   const drive::Segment &seat = form.half_profile.front();
   if (place != Place::flank)
@@ -92,43 +91,24 @@ touch(const drive::ToothForm &form, const double radius, const double pitch, con
       const auto out = vector(std::cos(angle), std::sin(angle));
       return {vector(seat.centre[0], seat.centre[1]) + (seat.radius - radius) * out, -out};
     }
-  // 3 mm above the bottom, of 525
-  const double r   = 0.5 * form.root_diameter + radius + 3e-3 * pitch / 15.875e-3;
-  double       low = 0., high = dealii::numbers::PI / form.teeth;
-  const auto   at = [&](const double angle) {
-    return dealii::Point<2>(r * std::cos(angle), r * std::sin(angle));
-  };
-  for (unsigned int i = 0; i < 60; ++i)
-    {
-      const double middle                                             = 0.5 * (low + high);
-      (form.closest_point(at(middle)).distance > radius ? low : high) = middle;
-    }
-  const auto x = at(low);
-  const auto n = form.closest_point(x).normal;
-  return {vector(x[0], x[1]), vector(n[0], n[1])};
+  return before_flank(form, radius, 0.);
 }
 
 inline scene::Scene make(const Case &c)
 {
   Tooth tooth;
-  tooth.elastic         = false;
-  scene::Scene scene    = make_scene(tooth);
-  const Size  &size     = size_of(c.chain);
-  const auto  &chain    = size.chain;
-  const double density  = scene.material.density;
-  const auto   set_part = [&](const scene::Kind kind, mesh::Part &&part) {
-    scene.parts[kind] = std::make_shared<const mesh::Part>(std::move(part));
-  };
-  set_part(scene::Kind::roller, mesh::make_roller(chain, density, mesh::RollerGrid(3, 32, 6)));
-  if (c.fine)
-    set_part(scene::Kind::inner_link, mesh::make_inner_link(chain, density, {48, 2, 2, 2, 12}));
-  else
+  tooth.elastic      = false;
+  scene::Scene scene = make_scene(tooth);
+  const Size  &size  = size_of(c.chain);
+  const auto  &chain = size.chain;
+  mesh_roller_and_link(scene, chain, mesh::RollerGrid(3, 32, 6), {48, 2, 2, 2, 12});
+  if (!c.fine)
     {
       Parameters p;
-      p.drive.chain.designation = c.chain;
-      p.mesh.refinement         = 1;
-      scene.parts[scene::Kind::inner_link] =
-          scene::make_link_part({p.mesh, density, false, true}, drive::make_drive(p), true);
+      p.drive.chain.designation            = c.chain;
+      p.mesh.refinement                    = 1;
+      scene.parts[scene::Kind::inner_link] = scene::make_link_part(
+          {p.mesh, scene.material.density, false, true}, drive::make_drive(p), true);
     }
 
   scene::ToothFamily &teeth   = scene.teeth[0];
@@ -138,7 +118,7 @@ inline scene::Scene make(const Case &c)
   teeth.half_width            = 0.5 * size.sprocket_width;
   teeth.slaves[0].radius      = radius;
   const double play           = teeth.form->seat_radius - radius;
-  const auto [centre, normal] = touch(*teeth.form, radius, chain.pitch, c.place);
+  const auto [centre, normal] = touch(*teeth.form, radius, c.place);
   const auto turn =
       to_matrix(rotation_about_z(0.5 * dealii::numbers::PI - std::atan2(normal[1], normal[0])));
   scene.bodies[1].initial.rotation = turn;
@@ -147,18 +127,11 @@ inline scene::Scene make(const Case &c)
   roller.initial.rotation = to_matrix(rotation_about_z(c.phase * 2. * dealii::numbers::PI / 32.));
   roller.initial.velocity = vector(0., -c.speed);
   roller.initial.angular_velocity = vector(0., 0., c.spin);
-  const Vector3 arm               = vector(0.5 * chain.inner_hole_pitch, 0.);
-  const double  clearance         = 0.5 * (chain.roller_bore - chain.bush_diameter);
-  scene.bodies.push_back(body(scene::Motion::elastic,
-                              scene::Mount::free(),
-                              c.mass,
-                              vector(1e6, 1e6, 1e6), // it does not turn
-                              roller.initial.position + arm - vector(0., clearance),
-                              roller.initial.velocity));
-  scene.bodies.back().kind = scene::Kind::inner_link;
+  constexpr double inertia        = 1e6; // kg m2: it does not turn
+  scene.bodies.push_back(link_on_roller(chain, scene::Motion::elastic, c.mass, inertia, roller));
 
   // another roller before another sprocket under the other bush
-  const Vector3 pitch = 2. * arm;
+  const Vector3 pitch = 2. * to_second_bush(chain);
   for (const unsigned int b : {0u, 1u})
     {
       scene.bodies.push_back(scene.bodies[b]);
@@ -177,23 +150,12 @@ inline scene::Scene make(const Case &c)
       drive::conforming_contact(radius, play, size.load / chain.roller_length, scene.material)
           .half_angle;
   scene::BoreFamily joint;
-  joint.name    = "roller-bush";
-  joint.elastic = true;
-  joint.law     = {9.8e13, 0., c.in_bore, 2e13, 0.};
-  joint.half_angle =
-      drive::largest_half_angle(0.5 * chain.bush_diameter, clearance, pressure, scene.material);
-  joint.pairs.push_back({0,
-                         dealii::Point<3>(),
-                         0.5 * chain.roller_bore,
-                         {2, dealii::Point<3>(-arm), 0.5 * chain.bush_diameter, 0},
-                         mesh::roller_bore,
-                         mesh::bush_outside_first});
-  joint.pairs.push_back({3,
-                         dealii::Point<3>(),
-                         0.5 * chain.roller_bore,
-                         {2, dealii::Point<3>(arm), 0.5 * chain.bush_diameter, 1},
-                         mesh::roller_bore,
-                         mesh::bush_outside_second});
+  joint.name       = "roller-bush";
+  joint.elastic    = true;
+  joint.law        = {9.8e13, 0., c.in_bore, 2e13, 0.};
+  joint.half_angle = drive::largest_half_angle(
+      0.5 * chain.bush_diameter, bush_clearance(chain), pressure, scene.material);
+  joint.pairs = {roller_on_bush(chain, 0, 2), roller_on_bush(chain, 3, 2, true)};
   scene.bores.push_back(joint);
   scene.teeth.push_back(scene.teeth.front());
   scene.teeth.back().sprocket       = 4;
@@ -219,7 +181,7 @@ inline scene::Scene make(const Case &c)
         }
     }
   scene.bodies[2].mass    = c.mass;
-  scene.bodies[2].inertia = vector(1e6, 1e6, 1e6);
+  scene.bodies[2].inertia = vector(inertia, inertia, inertia);
   scene.loads.gravity     = 2. * c.load / (c.mass + 2. * scene.bodies[0].mass);
   scene.loads.drag        = c.load > 0. ? 2e4 : 0.;
   return scene;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sums and largest numbers of three ranks on the first one, several on their way at once; the
-// others do not wait for it, and keep theirs. The table of times has a row for what is waited for.
+// others do not wait for it, and keep theirs. The table of times has a row for what is waited for,
+// and what the first one waits for a rank that comes late is there and in no phase.
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/timing.h>
 #include <chaindrive/utilities/to_first_rank.h>
@@ -24,7 +25,7 @@ int main(int argc, char **argv)
   timer.count_waiting();
   const PhaseTimer::Phase phase = timer.add("Sums");
   bool                    right = true, kept = true;
-  double                  took = 0.; // s
+  double                  took = 0., waited = 0.; // s; over what the first one takes
   {
     SumOnFirstRank          sums, largest;
     const PhaseTimer::Scope scope(timer, phase);
@@ -51,6 +52,14 @@ int main(int argc, char **argv)
           kept = kept && a == own_a && b == own_b;
       }
     MPI_Barrier(comm);
+    if (rank == 1)
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    std::vector<double> late   = {1.};
+    const auto          before = time_stamp(), waited_before = Waiting::ticks();
+    sums.sum(late, comm, 21);
+    waited = static_cast<double>(Waiting::ticks() - waited_before) /
+             static_cast<double>(time_stamp() - before);
+    MPI_Barrier(comm);
   }
   const double longest  = dealii::Utilities::MPI::max(rank > 0 ? took : 0., comm);
   const bool   all_kept = dealii::Utilities::MPI::min(kept ? 1 : 0, comm) != 0;
@@ -60,7 +69,9 @@ int main(int argc, char **argv)
   std::cout << "sums and largest numbers: " << (right ? "yes" : "no") << '\n'
             << "others keep theirs: " << (all_kept ? "yes" : "no") << '\n'
             << "while the first one sleeps for 0.9 s, they take less than half of that: "
-            << (longest < 0.45 ? "yes" : "no") << '\n';
+            << (longest < 0.45 ? "yes" : "no") << '\n'
+            << "while another one sleeps, the first one waits: " << (waited > 0.9 ? "yes" : "no")
+            << '\n';
   for (const PhaseTimer::Row &row : rows)
     std::cout << row.name << '\n';
 }

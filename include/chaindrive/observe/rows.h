@@ -52,13 +52,26 @@ Channels::Fill smallest_gaps_of(const std::vector<const FamilyType *> &families)
   };
 }
 
-/// Makes @p largest the largest pressure [Pa] of each joint in @p families. To be called by all
-/// ranks.
+/// Whether @p families have elastic surfaces.
+template <typename FamilyType>
+bool know_pressure(const std::vector<const FamilyType *> &families)
+{
+  return std::any_of(families.begin(), families.end(), [](const FamilyType *family) {
+    return family->knows_pressure();
+  });
+}
+
+/// Makes @p largest the largest pressure [Pa] of each joint in @p families, and at a sample in the
+/// window raises @p most [Pa], not a number at first, to the largest of them. Nothing without
+/// elastic surfaces. To be called by all ranks.
 template <typename FamilyType>
 void find_pressures(const Observation                     &now,
                     const std::vector<const FamilyType *> &families,
-                    std::vector<double>                   &largest)
+                    std::vector<double>                   &largest,
+                    double                                &most)
 {
+  if (!know_pressure(families))
+    return;
   std::fill(largest.begin(), largest.end(), 0.);
   auto of_family = now.pressures().begin();
   for (const contact::Family *family : now.system.contacts.families())
@@ -68,24 +81,8 @@ void find_pressures(const Observation                     &now,
           largest[k] = std::max(largest[k], (*of_family)[k]);
       ++of_family;
     }
-}
-
-/// Raises @p most [Pa], not a number at first, to the largest of the @p pressures at a sample in
-/// the window.
-inline void
-raise_in_window(const Observation &now, const std::vector<double> &pressures, double &most)
-{
   if (now.time() >= now.window().start() && now.time() <= now.window().end())
-    for (const double pressure : pressures)
+    for (const double pressure : largest)
       most = std::fmax(most, pressure); // ignores NaN
-}
-
-/// Whether @p families have elastic surfaces.
-template <typename FamilyType>
-bool know_pressure(const std::vector<const FamilyType *> &families)
-{
-  return std::any_of(families.begin(), families.end(), [](const FamilyType *family) {
-    return family->knows_pressure();
-  });
 }
 } // namespace chaindrive::observe

@@ -122,11 +122,7 @@ public:
     for (Kind &kind : kinds_)
       kind.take_from_places();
     for (Kind &kind : kinds_)
-      if (know_pressure(kind.families))
-        {
-          find_pressures(now_, kind.families, kind.pressure);
-          raise_in_window(now_, kind.pressure, kind.pressure_max);
-        }
+      find_pressures(now_, kind.families, kind.pressure, kind.pressure_max);
   }
 
   void begin_interval() override

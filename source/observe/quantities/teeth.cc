@@ -75,11 +75,7 @@ public:
   void gather() override
   {
     for (ToothForces &forces : sprockets_)
-      if (know_pressure(forces.families))
-        {
-          find_pressures(now_, forces.families, forces.pressure);
-          raise_in_window(now_, forces.pressure, forces.pressure_max);
-        }
+      find_pressures(now_, forces.families, forces.pressure, forces.pressure_max);
   }
 
   void begin_interval() override
