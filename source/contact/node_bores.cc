@@ -221,6 +221,7 @@ NodeBores::NodeBores(const scene::Scene      &scene,
           group.windows[0].group   = master_group;
           group.windows[1].group   = slave_group;
           group.windows[0].in_bore = true;
+          group.windows[1].joint   = &joint;
           for (unsigned int i = 0; i < 2; ++i)
             group.windows[i].half_angle = group.closed[i].half_angle;
         }

@@ -47,26 +47,28 @@ void add_foundation(const drive::Drive &drive, Scene &scene, ContactLaw &law)
 }
 
 /// Joints without penalty stick by springs so much softer than their contact is across: as stiff as
-/// that, they would shorten the step by a third and change losses by 0.3 % (doc/theory.md).
-constexpr double softer_sticking = 0.4;
+/// that, they would shorten the step by a third and change losses by 0.3 %. How fast rollers turn
+/// depends on theirs, little on those of pins, which twist fast (doc/theory.md).
+constexpr double softer_sticking_of_rollers = 0.4, softer_sticking_of_pins = 0.2;
 
 /// What joints without penalty, pins of a @p diameter that bear on a @p length, have in place of
 /// its springs and dampers: forces up to a @p pressure [Pa], for which the step holds, and friction
 /// that sticks by springs of the stiffness of the contact under the reference load, times
-/// Contact/Tangential ratio.
+/// Contact/Tangential ratio, @p softer.
 void hold_without_penalty(const model::Model &model,
                           const drive::Drive &drive,
                           const double        diameter,
                           const double        clearance,
                           const double        length,
                           const double        pressure,
+                          const double        softer,
                           BoreFamily         &joints)
 {
   joints.largest_force = pressure * diameter * length;
   joints.law.damping = joints.law.tangential_damping = 0.;
   if (joints.law.friction > 0.)
     joints.law.tangential_stiffness =
-        softer_sticking * model.contact.tangential_ratio *
+        softer * model.contact.tangential_ratio *
         drive::contact_modulus(
             0.5 * diameter, clearance, drive.reference_load / length, model.material);
 }
@@ -150,6 +152,7 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
                            chain.roller_clearance(),
                            chain.roller_length,
                            pressure,
+                           softer_sticking_of_rollers,
                            rollers);
       hold_without_penalty(model,
                            drive,
@@ -157,6 +160,7 @@ void add_full_chain(const model::Model &model, const drive::Drive &drive, Scene 
                            chain.pin_clearance(),
                            chain.bush_length,
                            pressure,
+                           softer_sticking_of_pins,
                            pins);
     }
   else

@@ -8,6 +8,8 @@
 
 namespace chaindrive::contact
 {
+class JointFlexibility;
+
 /// Strips and rings of the outside of modal rollers that close together, each carried by nodes.
 struct ClosedStrips
 {
@@ -38,6 +40,9 @@ struct ClosedWindow
   bool                in_bore    = false;               ///< or on the cylinder in it
 
   unsigned int first_ring = 0; ///< of the side, if not all of them are in the window
+
+  /// Of a cylinder: what deflects on its rings and in the bore, whose window is the one before.
+  const JointFlexibility *joint = nullptr;
 
   /// If there are any, the side closes in one of these instead of at nodes.
   std::vector<ClosedStrips> strips             = {};

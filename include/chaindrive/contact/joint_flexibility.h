@@ -5,6 +5,7 @@
 
 #include <deal.II/base/aligned_vector.h>
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -34,6 +35,12 @@ public:
     double       part;
   };
   const std::vector<Place> &places() const { return places_; }
+
+  /// Between two of rings(), by number, so many columns apart, at most a round, m/N.
+  double at(const unsigned int r, const unsigned int s, const unsigned int columns) const
+  {
+    return sum_[(std::size_t(r) * n_rings() + s) * n_columns_ + columns % n_columns_];
+  }
 
   /// The matrix of so many columns side by side, [column][ring] twice, m/N: rows as
   /// ComplementarityProblem wants them.

@@ -22,8 +22,8 @@ namespace chaindrive::contact
 ///
 /// Reduced bodies whose bases have the flexibility of their joints (reduction::Basis::joints) touch
 /// without penalty: no node overlaps, and what the sides deflect beside their modes has no inertia.
-/// Such joints have no contact damping, and stick by springs a tenth as stiff as with a penalty:
-/// these still yield little against what joints slide, and do not limit the step.
+/// Such joints have no contact damping, and stick by springs that yield little against what joints
+/// slide (scene::add_full_chain).
 class NodeBores : public Family, public HasClosedWindows
 {
 public:

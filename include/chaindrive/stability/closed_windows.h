@@ -16,7 +16,9 @@ namespace chaindrive::stability
 /// what these deflect without inertia, C, of this body alone. No system of bodies whose joints are
 /// closed in such sets is faster than the fastest of its bodies so held: its elastic energy is the
 /// least over all deflections that close the gaps, and one that returns all patches of each body to
-/// where they were closes them all. Springs of other contacts on the same bodies are added, dampers
+/// where they were closes them all. Bodies may be taken together instead, with their joints as they
+/// are: a link is with the rollers on its bushes (HeldLink), all other bodies are taken alone
+/// (HeldBody). Springs of other contacts on the same bodies are added, dampers
 /// with them. A rigid body that strips meet cannot return them: with all of these bodies at rest it
 /// vibrates against the springs K of its strips with a square of frequency that is added to those
 /// of the modal bodies, since the largest eigenvalue of a sum, K^1/2 (B M^-1 B^T) K^1/2 over all
