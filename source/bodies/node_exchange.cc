@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/bodies/body_batches.h>
 #include <chaindrive/bodies/node_exchange.h>
+#include <chaindrive/utilities/message_tags.h>
 #include <chaindrive/utilities/timing.h>
 
 #include <algorithm>
@@ -96,7 +97,6 @@ void NodeExchange::exchange(Neighbours        &from,
 
 void NodeExchange::fetch(std::vector<BodyBatches> &copies)
 {
-  constexpr int tag = 11;
   for (auto &[rank, reader] : readers_)
     {
       reader.message.clear();
@@ -107,7 +107,7 @@ void NodeExchange::fetch(std::vector<BodyBatches> &copies)
                                   vector->begin() + range.begin,
                                   vector->begin() + range.begin + range.size);
     }
-  exchange(readers_, owners_, 2, tag);
+  exchange(readers_, owners_, 2, tag_node_positions);
   for (const auto &[rank, owner] : owners_)
     {
       auto next = owner.message.begin();
@@ -123,7 +123,6 @@ void NodeExchange::fetch(std::vector<BodyBatches> &copies)
 
 void NodeExchange::send_forces(std::vector<BodyBatches> &copies)
 {
-  constexpr int tag = 12;
   for (auto &[rank, owner] : owners_)
     {
       owner.message.clear();
@@ -135,7 +134,7 @@ void NodeExchange::send_forces(std::vector<BodyBatches> &copies)
             std::fill_n(first, range.size, 0.);
           }
     }
-  exchange(owners_, readers_, 1, tag);
+  exchange(owners_, readers_, 1, tag_node_forces);
   for (const auto &[rank, reader] : readers_) // in the order of ranks: always the same sum
     {
       auto next = reader.message.begin();

@@ -11,6 +11,7 @@
 #include <chaindrive/contact/tooth_side.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/message_tags.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/utilities/timing.h>
@@ -216,14 +217,13 @@ void Contacts::gather_records(const World &world)
 {
   const MPI_Comm     comm = world.communicator();
   const unsigned int rank = rank_in(comm), n_ranks = n_ranks_in(comm);
-  constexpr int      tag = 1;
 
   if (rank > 0)
     {
       std::vector<double> &own = own_records_.numbers();
       for (const auto &family : families_)
         family->pack_records(rank, own);
-      own_records_.send(comm, tag);
+      own_records_.send(comm, tag_contact_records);
       return;
     }
 
@@ -236,8 +236,13 @@ void Contacts::gather_records(const World &world)
       if (message.empty())
         for (const auto &family : families_)
           message.resize(message.size() + family->most_numbers(1 + i));
-      const int status = MPI_Irecv(
-          message.data(), int(message.size()), MPI_DOUBLE, int(1 + i), tag, comm, &requests[i]);
+      const int status = MPI_Irecv(message.data(),
+                                   int(message.size()),
+                                   MPI_DOUBLE,
+                                   int(1 + i),
+                                   tag_contact_records,
+                                   comm,
+                                   &requests[i]);
       AssertThrowMPI(status);
     }
   for (unsigned int n = 0; n < requests.size(); ++n) // in the order in which they come

@@ -3,6 +3,7 @@
 #include <chaindrive/files/file.h>
 #include <chaindrive/utilities/checksum.h>
 #include <chaindrive/utilities/errors.h>
+#include <chaindrive/utilities/message_tags.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/text.h>
 #include <chaindrive/version.h>
@@ -20,7 +21,7 @@ namespace chaindrive::files
 namespace
 {
 constexpr const char *magic          = "chaindrive checkpoint ";
-constexpr const char *format         = "8";
+constexpr const char *format         = "9";
 constexpr std::size_t size_of_number = 8;
 
 std::string bytes_of(const std::uint64_t number)
@@ -53,23 +54,23 @@ void send(const std::string &bytes, const MPI_Comm comm)
 {
   const std::uint64_t size  = bytes.size();
   constexpr size_t    piece = 1 << 30;
-  MPI_Send(&size, 1, MPI_UINT64_T, 0, 2, comm);
+  MPI_Send(&size, 1, MPI_UINT64_T, 0, tag_checkpoint, comm);
   for (std::size_t i = 0; i < size; i += piece)
-    MPI_Send(bytes.data() + i, int(std::min(piece, size - i)), MPI_CHAR, 0, 2, comm);
+    MPI_Send(bytes.data() + i, int(std::min(piece, size - i)), MPI_CHAR, 0, tag_checkpoint, comm);
 }
 
 std::string receive(const unsigned int from, const MPI_Comm comm)
 {
   std::uint64_t    size  = 0;
   constexpr size_t piece = 1 << 30;
-  MPI_Recv(&size, 1, MPI_UINT64_T, int(from), 2, comm, MPI_STATUS_IGNORE);
+  MPI_Recv(&size, 1, MPI_UINT64_T, int(from), tag_checkpoint, comm, MPI_STATUS_IGNORE);
   std::string bytes(size, '\0');
   for (std::size_t i = 0; i < size; i += piece)
     MPI_Recv(bytes.data() + i,
              int(std::min(piece, size - i)),
              MPI_CHAR,
              int(from),
-             2,
+             tag_checkpoint,
              comm,
              MPI_STATUS_IGNORE);
   return bytes;

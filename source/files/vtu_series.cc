@@ -3,6 +3,7 @@
 #include <chaindrive/files/vtu_series.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/ranks.h>
+#include <chaindrive/utilities/timing.h>
 
 #include <deal.II/base/data_out_base.h>
 
@@ -44,7 +45,10 @@ void VtuSeries::write(const VtuGrid &grid, const double time)
   std::string file = piece(0);
   if (n_ranks > 1)
     {
-      MPI_Barrier(comm_);
+      {
+        const Waiting waiting;
+        MPI_Barrier(comm_);
+      }
       file = file_name(name_, number, ".pvtu");
       std::vector<std::string> pieces;
       for (unsigned int r = 0; r < n_ranks; ++r)

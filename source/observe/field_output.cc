@@ -3,6 +3,7 @@
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/observe/field_output.h>
 #include <chaindrive/utilities/ranks.h>
+#include <chaindrive/utilities/timing.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -74,7 +75,10 @@ std::vector<dealii::Tensor<1, 3>> contact_forces(const dynamics::System &system)
         contact_force[record.master] -= record.force;
       }
   if (n_ranks_in(world.communicator()) > 1) // the first rank has all records
-    contact_force = dealii::Utilities::MPI::broadcast(world.communicator(), contact_force);
+    {
+      const Waiting waiting;
+      contact_force = dealii::Utilities::MPI::broadcast(world.communicator(), contact_force);
+    }
   return contact_force;
 }
 
@@ -119,7 +123,10 @@ std::vector<Loads> loads_of(const scene::Scene        &scene,
     for (StrandForces &strand : strands)
       loads.push_back(loads_of(scene, system, strand));
   if (n_ranks_in(system.world.communicator()) > 1)
-    loads = dealii::Utilities::MPI::broadcast(system.world.communicator(), loads);
+    {
+      const Waiting waiting;
+      loads = dealii::Utilities::MPI::broadcast(system.world.communicator(), loads);
+    }
   return loads;
 }
 
@@ -158,7 +165,12 @@ void add_pressures(const dynamics::System &system, std::vector<ElasticSnapshot> 
       family->add_pressures(world, own);
   for (unsigned int b = 0; b < bodies.size(); ++b)
     bodies[b].pressure.assign(bodies[b].displacement.size(), 0.);
-  for (const auto &of_rank : dealii::Utilities::MPI::all_gather(world.communicator(), own))
+  std::vector<std::vector<contact::NodePressure>> of_ranks;
+  {
+    const Waiting waiting;
+    of_ranks = dealii::Utilities::MPI::all_gather(world.communicator(), own);
+  }
+  for (const auto &of_rank : of_ranks)
     for (const contact::NodePressure &at : of_rank)
       if (world.owns(at.body) && !bodies[at.body].pressure.empty())
         {

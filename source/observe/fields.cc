@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/fields.h>
+#include <chaindrive/utilities/timing.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
@@ -114,16 +115,16 @@ struct Shown
 
 Shown shown_of(const std::vector<BodySnapshot> &bodies, MPI_Comm comm)
 {
-  int stress = 0, faces = 0, pressure = 0;
+  std::vector<int> shown(3, 0); // as in Shown
   for (const BodySnapshot &body : bodies)
     {
-      stress |= static_cast<int>(body.stress.size() > 0);
-      faces |= static_cast<int>(body.faces.size() > 0);
-      pressure |= static_cast<int>(body.pressure.size() > 0);
+      shown[0] |= static_cast<int>(body.stress.size() > 0);
+      shown[1] |= static_cast<int>(body.faces.size() > 0);
+      shown[2] |= static_cast<int>(body.pressure.size() > 0);
     }
-  return {dealii::Utilities::MPI::max(stress, comm) != 0,
-          dealii::Utilities::MPI::max(faces, comm) != 0,
-          dealii::Utilities::MPI::max(pressure, comm) != 0};
+  const Waiting waiting;
+  dealii::Utilities::MPI::max(shown, comm, shown);
+  return {shown[0] != 0, shown[1] != 0, shown[2] != 0};
 }
 
 /// The gap of a sprocket, of which @p body is all or a sector, that is nearest to @p cell.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/element/elastic_part.h>
 #include <chaindrive/observe/massless_deflections.h>
+#include <chaindrive/utilities/timing.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -43,9 +44,14 @@ MasslessDeflections::now(const dynamics::System &system) const
     std::vector<unsigned int>      bodies;
     std::vector<reduction::Vector> forces; // on each of them, in its axes
   };
-  std::map<unsigned int, Loaded>      loaded; // by part
-  std::map<unsigned int, std::size_t> place;  // of bodies there
-  for (const auto &of_rank : dealii::Utilities::MPI::all_gather(world.communicator(), own))
+  std::map<unsigned int, Loaded>               loaded; // by part
+  std::map<unsigned int, std::size_t>          place;  // of bodies there
+  std::vector<std::vector<contact::NodeForce>> of_ranks;
+  {
+    const Waiting waiting;
+    of_ranks = dealii::Utilities::MPI::all_gather(world.communicator(), own);
+  }
+  for (const auto &of_rank : of_ranks)
     for (const contact::NodeForce &at : of_rank)
       {
         const unsigned int group = world.elastic_address[at.body].group;

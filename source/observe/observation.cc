@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/observe/observation.h>
+#include <chaindrive/utilities/message_tags.h>
 
 #include <algorithm>
 #include <numeric>
@@ -55,9 +56,8 @@ const std::vector<std::vector<double>> &Observation::pressures() const
       family->raise_pressures(pressures_.back());
       all.insert(all.end(), pressures_.back().begin(), pressures_.back().end());
     }
-  constexpr int tag = 21;
   if (!all.empty())
-    on_first_rank_.max(all, system.world.communicator(), tag);
+    on_first_rank_.max(all, system.world.communicator(), tag_pressures);
   auto next = all.begin();
   for (std::vector<double> &of_family : pressures_)
     for (double &pressure : of_family)

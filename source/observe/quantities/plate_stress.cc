@@ -2,6 +2,7 @@
 #include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
+#include <chaindrive/utilities/message_tags.h>
 #include <chaindrive/utilities/to_first_rank.h>
 
 #include <cmath>
@@ -85,8 +86,7 @@ public:
         for (unsigned int c = 0; c < n; ++c)
           numbers[n * body.number + c] = is_elastic ? entry(components, c) : nan;
       }
-    constexpr int tag = 24;
-    on_first_rank_.sum(numbers, world.communicator(), tag);
+    on_first_rank_.sum(numbers, world.communicator(), tag_plate_stresses);
     for (unsigned int k = 0; k < stress_.size(); ++k)
       {
         WaistComponents components{};

@@ -3,6 +3,7 @@
 #include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
+#include <chaindrive/utilities/message_tags.h>
 #include <chaindrive/utilities/to_first_rank.h>
 
 #include <algorithm>
@@ -82,8 +83,7 @@ public:
     for (const unsigned int k : now_.roller_bodies)
       if (world.is_nodal(k) && world.owns(k))
         spin_of_nodes_[k] = spin_of_nodes(now_.system, k);
-    constexpr int tag = 22;
-    on_first_rank_.sum(spin_of_nodes_, world.communicator(), tag);
+    on_first_rank_.sum(spin_of_nodes_, world.communicator(), tag_roller_spins);
   }
 
 private:

@@ -2,6 +2,7 @@
 #include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/observe/quantity.h>
 #include <chaindrive/observe/rows.h>
+#include <chaindrive/utilities/message_tags.h>
 #include <chaindrive/utilities/to_first_rank.h>
 
 #include <limits>
@@ -69,8 +70,7 @@ public:
           for (unsigned int d = 0; d < 3; ++d)
             numbers[3 * i + d] = v[d];
         }
-    constexpr int tag = 23;
-    on_first_rank_.sum(numbers, world.communicator(), tag);
+    on_first_rank_.sum(numbers, world.communicator(), tag_surface_velocities);
     for (unsigned int i = 0; i < velocity_.size(); ++i)
       for (unsigned int d = 0; d < 3; ++d)
         velocity_[i][d] = numbers[3 * i + d];
