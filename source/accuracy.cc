@@ -283,9 +283,7 @@ std::vector<StudyResult> find_calibration(const std::string &fixed, std::string 
 }
 
 std::vector<StudyResult> results_of(const std::vector<StudyResult> &results,
-                                    const std::string              &fidelity,
-                                    const bool                      exact,
-                                    const bool                      oval)
+                                    const CalibratedModel          &model)
 {
   const auto has = [](const StudyResult &result, const std::string &entry) {
     return std::find(result.overrides.begin(), result.overrides.end(), entry) !=
@@ -293,9 +291,10 @@ std::vector<StudyResult> results_of(const std::vector<StudyResult> &results,
   };
   std::vector<StudyResult> found;
   for (const StudyResult &result : results)
-    if (has(result, "Model/Fidelity=" + fidelity) &&
-        has(result, "Contact/Enforcement=exact") == exact &&
-        has(result, "Effects/Oval rollers=on") == oval)
+    if (has(result, "Model/Fidelity=" + model.fidelity) &&
+        has(result, "Contact/Enforcement=exact") == model.exact &&
+        has(result, "Effects/Oval rollers=on") == model.oval &&
+        has(result, "Effects/Stiffness curves=on") == model.curves)
       found.push_back(result);
   return found;
 }

@@ -96,7 +96,9 @@ std::optional<Cost> cost_here(const StudyResult &result,
                               std::ostream      &out)
 {
   std::vector<std::string> overrides = command_line.overrides;
-  overrides.insert(overrides.end(), result.overrides.begin(), result.overrides.end());
+  for (const std::string &entry : result.overrides)
+    if (!estimated || entry != "Effects/Stiffness curves=on") // which hardly cost anything
+      overrides.push_back(entry);
   if (estimated)
     overrides.emplace_back("Model/Stiffness from=dimensions");
   const parameters::Input input = model::read_parameters(command_line.parameter_file, overrides);

@@ -36,33 +36,60 @@ bool has_course(const parameters::Input &input)
   return input.fixed.find("Loads/Torque step time in ms = auto\n") == std::string::npos;
 }
 
-/// Whether rollers may become ovals in the layered model of this drive.
-bool may_be_oval(const Parameters &parameters)
+/// A rigid model that is judged.
+struct RigidModel
 {
-  Parameters layered           = parameters;
-  layered.model.fidelity       = "layered";
-  layered.effects.oval_rollers = parameters::Switch::on;
-  return model::decide_effects(layered).is_on(model::Effect::oval_rollers);
+  std::string name, fidelity;
+  bool        oval, curves; ///< Effects/Oval rollers and Effects/Stiffness curves
+};
+
+/// Those that can be had of this drive.
+std::vector<RigidModel> rigid_models(const Parameters &parameters)
+{
+  std::vector<RigidModel> models = {{"simple", "simple", false, false}};
+  for (const RigidModel &model : {RigidModel{"layered", "layered", false, false},
+                                  {"oval", "layered", true, false},
+                                  {"curves", "layered", false, true},
+                                  {"oval-curves", "layered", true, true}})
+    {
+      Parameters layered     = parameters;
+      layered.model.fidelity = model.fidelity;
+      if (model.oval)
+        layered.effects.oval_rollers = parameters::Switch::on;
+      if (model.curves)
+        layered.effects.stiffness_curves = parameters::Switch::on;
+      const model::Effects effects = model::decide_effects(layered);
+      if ((!model.oval || effects.is_on(model::Effect::oval_rollers)) &&
+          (!model.curves || effects.is_on(model::Effect::stiffness_curves)))
+        models.push_back(model);
+    }
+  return models;
 }
 
-/// "path={{a|b|c}}", where @p rigid is of each model but the reference, which comes last: simple,
-/// layered and, if @p oval, this with oval rollers.
-std::string of_models(const std::string &path,
-                      const std::string &rigid,
-                      const std::string &of_reference,
-                      const bool         oval)
+/// "path={{a|b|c}}": what @p value says of each of the @p models, and @p of_reference, which comes
+/// last.
+template <typename Value>
+std::string of_models(const std::string             &path,
+                      const std::vector<RigidModel> &models,
+                      const Value                   &value,
+                      const std::string             &of_reference)
 {
-  return path + "={{" + rigid + "|" + rigid + "|" + (oval ? rigid + "|" : "") + of_reference + "}}";
+  std::string text = path + "={{";
+  for (const RigidModel &model : models)
+    text += value(model) + "|";
+  return text + of_reference + "}}";
 }
 
 /// Of the rigid models what the file says of @p path, of the reference auto: it has the parts' own.
-std::string
-of_rigid_models(const parameters::Input &input, const std::string &path, const bool oval)
+std::string of_rigid_models(const parameters::Input       &input,
+                            const std::string             &path,
+                            const std::vector<RigidModel> &models)
 {
   const std::string name  = path + " = ";
   const std::size_t begin = input.fixed.find(name) + name.size();
   const std::string value = input.fixed.substr(begin, input.fixed.find('\n', begin) - begin);
-  return of_models(path, value, "auto", oval);
+  return of_models(
+      path, models, [&](const RigidModel &) { return value; }, "auto");
 }
 
 std::string in_ms(const double time) { return to_text(1e3 * time, 6); }
@@ -70,38 +97,57 @@ std::string in_ms(const double time) { return to_text(1e3 * time, 6); }
 /// What makes a study of the drive's file.
 std::vector<std::string> entries_of(const parameters::Input &input, const drive::Facts &facts)
 {
-  const double             pitch_time = facts.pitch_time;
-  const bool               oval       = may_be_oval(input.parameters);
-  const unsigned int       window     = std::max(shortest, drive::pitches_per_resonance(facts));
-  std::vector<std::string> entries    = {
-         "Study/Title=Calibration of " + facts.chain + ", " + std::to_string(facts.links) + " links",
-         "Study/Text=How wrong are the models for this drive? The reference, exact, has reduced "
-            "bodies "
-            "without penalty.",
-         std::string("Study/Names=simple, layered, ") + (oval ? "oval, " : "") + "exact",
-         "Study/Reference=exact",
-         "Study/Outputs=" + join(calibrated_outputs()),
-         "Study/Phases=" + std::to_string(n_phases),
-         std::string("Model/Fidelity={simple|layered") + (oval ? "|layered" : "") + "|reduced}",
-         "Model/Symmetry model=auto",
-         "Model/Elastic links=all",
-         of_models("Contact/Enforcement", "auto", "exact", oval),
-      oval ? "Effects/Oval rollers={{off|off|on|off}}" : "Effects/Oval rollers=off",
-         of_rigid_models(input, "Model/Mass per pitch in g", oval),
-         of_rigid_models(input, "Model/Stiffness per pitch in N/m", oval),
-         of_rigid_models(input, "Contact/Roller-tooth stiffness in N/m", oval),
-         of_rigid_models(input, "Contact/Roller-bush stiffness in N/m", oval),
-         // as many columns around pins and bushes as in prm/paper/reduced.prm
-         of_models("Mesh/Refinement", "0", "1", oval),
-         "Time/Time step in us=auto",
-         "Output/Quantities=all",
-         "Output/History interval in us=" + to_text(1e6 * std::min(20e-6, 2e-3 * pitch_time), 3),
-         "Output/Field interval in ms=0",
-         "Output/CSV=false",
-         "Output/Until=",
-         "Output/Directory=",
-         "Output/Resume=",
-         "Acoustics/Noise=off"};
+  const double pitch_time = facts.pitch_time;
+  const auto   models     = rigid_models(input.parameters);
+  std::string  names, fidelities;
+  for (const RigidModel &model : models)
+    {
+      names += model.name + ", ";
+      fidelities += model.fidelity + "|";
+    }
+  const auto same = [](const std::string &value) {
+    return [value](const RigidModel &) { return value; };
+  };
+  const auto               on_or_off = [](const bool on) { return std::string(on ? "on" : "off"); };
+  const unsigned int       window    = std::max(shortest, drive::pitches_per_resonance(facts));
+  std::vector<std::string> entries   = {
+        "Study/Title=Calibration of " + facts.chain + ", " + std::to_string(facts.links) + " links",
+        "Study/Text=How wrong are the models for this drive? The reference, exact, has reduced "
+          "bodies "
+          "without penalty.",
+        "Study/Names=" + names + "exact",
+        "Study/Reference=exact",
+        "Study/Outputs=" + join(calibrated_outputs()),
+        "Study/Phases=" + std::to_string(n_phases),
+        "Model/Fidelity={" + fidelities + "reduced}",
+        "Model/Symmetry model=auto",
+        "Model/Elastic links=all",
+        of_models("Contact/Enforcement", models, same("auto"), "exact"),
+        of_models(
+          "Effects/Oval rollers",
+          models,
+          [&](const RigidModel &m) { return on_or_off(m.oval); },
+          "off"),
+        of_models(
+          "Effects/Stiffness curves",
+          models,
+          [&](const RigidModel &m) { return on_or_off(m.curves); },
+          "off"),
+        of_rigid_models(input, "Model/Mass per pitch in g", models),
+        of_rigid_models(input, "Model/Stiffness per pitch in N/m", models),
+        of_rigid_models(input, "Contact/Roller-tooth stiffness in N/m", models),
+        of_rigid_models(input, "Contact/Roller-bush stiffness in N/m", models),
+        // as many columns around pins and bushes as in prm/paper/reduced.prm
+        of_models("Mesh/Refinement", models, same("0"), "1"),
+        "Time/Time step in us=auto",
+        "Output/Quantities=all",
+        "Output/History interval in us=" + to_text(1e6 * std::min(20e-6, 2e-3 * pitch_time), 3),
+        "Output/Field interval in ms=0",
+        "Output/CSV=false",
+        "Output/Until=",
+        "Output/Directory=",
+        "Output/Resume=",
+        "Acoustics/Noise=off"};
   if (!has_course(input))
     entries.insert(entries.end(),
                    {"Drive/Layout/Start=settled",

@@ -342,9 +342,10 @@ std::vector<StudyResult> results_here(const Prepared                 &prepared,
 {
   const model::Model &model = prepared.simulation.model;
   return results_of(calibrated,
-                    prepared.simulation.parameters.model.fidelity,
-                    model.effects.is_on(model::Effect::exact_joints),
-                    model.effects.is_on(model::Effect::oval_rollers));
+                    {prepared.simulation.parameters.model.fidelity,
+                     model.effects.is_on(model::Effect::exact_joints),
+                     model.effects.is_on(model::Effect::oval_rollers),
+                     model.effects.is_on(model::Effect::stiffness_curves)});
 }
 
 /// Computes the noise of the run that has just ended; says why if that cannot be.

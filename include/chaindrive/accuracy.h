@@ -108,12 +108,18 @@ std::string calibration_file(const std::string &fixed);
 /// of which @p note then says so.
 std::vector<StudyResult> find_calibration(const std::string &fixed, std::string &note);
 
-/// What @p results say of a model of this fidelity, without penalty or with it, with rollers that
-/// become ovals or not; empty: nothing.
+/// A model as far as a calibration tells models apart.
+struct CalibratedModel
+{
+  std::string fidelity;
+  bool        exact  = false; ///< without penalty
+  bool        oval   = false; ///< rollers become ovals
+  bool        curves = false; ///< of stiffness
+};
+
+/// What @p results say of this @p model; empty: nothing.
 std::vector<StudyResult> results_of(const std::vector<StudyResult> &results,
-                                    const std::string              &fidelity,
-                                    bool                            exact,
-                                    bool                            oval);
+                                    const CalibratedModel          &model);
 
 /// Two digits, or all before the point, with sign: "+2.3 %". From @p value [1].
 std::string in_percent(double value);

@@ -15,6 +15,7 @@ import sys
 
 GAIN = 0.8  # of the root mean square error of left-out drives, by which a group is taken
 LEAST = 12  # drives
+MODELS = ("simple", "layered", "oval", "curves", "oval-curves")
 # 95 % quantiles of Student's t for 1, 2, ... degrees of freedom (Abramowitz and Stegun, table 26.10)
 T95 = (6.314, 2.920, 2.353, 2.132, 2.015, 1.943, 1.895, 1.860, 1.833, 1.812, 1.796, 1.782, 1.771, 1.761, 1.753, 1.746, 1.740, 1.734, 1.729,
        1.725, 1.721, 1.717, 1.714, 1.711, 1.708, 1.706, 1.703, 1.701, 1.699, 1.697)
@@ -72,7 +73,7 @@ def read(path):
         if row[0] == "groups":
             groups[row[1]] = {name: float(value) for name, value in (cell.split("=") for cell in row[2:])}
     for row in rows:
-        if len(row) > 9 and row[0] in groups and row[1] in ("simple", "layered", "oval") and row[2] == "exact":
+        if len(row) > 9 and row[0] in groups and row[1] in MODELS and row[2] == "exact":
             errors.setdefault((row[1], row[3]), {})[row[0]] = 0.01 * float(row[4])
     return errors, groups
 

@@ -5,9 +5,9 @@
 // the hub as room statics says, which has other elements, meshes and a solution of its own, within
 // 4 %, wherever nodes are round the roller, on a fine mesh of the link and on those of runs of
 // three chains; on the flank it is alike at any such phase. With teeth that are softer higher up it
-// is so at the bottom of the seat, too, where teeth that are not are 10 % too soft. Forces on all
-// bodies cancel in sum and moment. Impacts of a roller that spins keep their energy, with friction
-// and without.
+// is so at the bottom of the seat within 5 %, where it is 17 to 25 % too soft with teeth that are
+// not. Forces on all bodies cancel in sum and moment. Impacts of a roller that spins keep their
+// energy, with friction and without.
 #include "../support/exact_roller.h"
 #include "../support/blow_up.h"
 
@@ -144,10 +144,10 @@ void check_statics(const std::string &chain, const bool fine)
             if (load == 1412. && place == Place::bottom)
               first = over[1];
             verdict(std::to_string(int(load)) + " N " + name(place) +
-                        ", teeth softer higher up: within 4 % of statics",
-                    std::abs(over[0] - 1.) < 0.04);
+                        ", teeth softer higher up: within 5 % of statics",
+                    std::abs(over[0] - 1.) < 0.05);
           }
-      verdict("teeth that are not: more than 8 % too soft at the bottom", first > 1.08);
+      verdict("teeth that are not: more than 15 % too soft at the bottom", first > 1.15);
     }
   for (const double factor : {300. / 1412., 4500. / 1412.})
     {

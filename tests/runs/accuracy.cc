@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -154,6 +155,26 @@ void predict(const Studies &shipped)
   result = with_numerics(result, 0.04);
   std::cout << "with 4 % of the reference, 10 (7 ... 14) is " << 100. * result.error << " ("
             << 100. * result.low << " ... " << 100. * result.high << ")" << std::endl;
+
+  // a run takes what was found of its own model alone
+  unsigned int mistaken = 0;
+  for (const auto &[variant, oval, curves] : {std::tuple{"layered", false, false},
+                                              {"oval", true, false},
+                                              {"curves", false, true},
+                                              {"oval-curves", true, true}})
+    {
+      const std::vector<StudyResult> one = predicted(
+          read_studies("fit\t" + std::string(variant) + "\tpeak\t-\t15\t0\t0\t0\t1\t0.5\t93\n"),
+          "peak",
+          {});
+      for (const bool is_oval : {false, true})
+        for (const bool has_curves : {false, true})
+          mistaken += results_of(one, {"layered", false, is_oval, has_curves}).size() ==
+                              (is_oval == oval && has_curves == curves ? 1 : 0) ?
+                          0 :
+                          1;
+    }
+  std::cout << "models that are taken for others: " << mistaken << std::endl;
 
   // of the drives that a fit is of about 90 % lie in its interval
   unsigned int n = 0, inside = 0;

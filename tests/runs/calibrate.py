@@ -23,10 +23,11 @@ FOLDER = pathlib.Path("calibration")
 CACHE = pathlib.Path("cache").absolute()  # of this test alone; what parts take is computed once more
 
 
-def start(command, *words, changes=None, quiet=True):
+def start(command, *words, changes=None, quiet=True, cache=CACHE):
+    environment = {**os.environ, "CHAINDRIVE_CACHE": str(cache)} if cache else None
     entries = [word for entry in {**DRIVE, **(changes or {})}.items() for word in ("--set", "=".join(map(str, entry)))]
     return subprocess.run([PROGRAM, command, str(HARD), *entries, *words, *(["--quiet"] if quiet else [])], text=True, capture_output=True,
-                          env={**os.environ, "CHAINDRIVE_CACHE": str(CACHE)}, timeout=900)
+                          env=environment, timeout=900)
 
 
 def first_line(changes=None, wanted="driver_peak_mean=90"):
@@ -90,6 +91,13 @@ def main():
     refused(["calibrate"], "A drive that stands", changes={"Loads/Driver speed in rad/s": 0})
     refused(["calibrate"], "cannot begin", "exact: ", changes={"Drive/Sprockets/Driver mesh": REPOSITORY / "meshes/sprocket-15.msh",
                                                                         "Drive/Driver teeth": 15, "Drive/Number of links": 28})
+    curved, given = {"Model/Stiffness from": "parts"}, {f"{name} in N/m": 1e8 for name in (
+        "Contact/Roller-tooth stiffness", "Contact/Roller-bush stiffness", "Model/Stiffness per pitch")}
+    for changes, models in (({}, "simple layered oval exact"), (curved, "simple layered oval curves oval-curves exact"),
+                            ({**curved, **given}, "simple layered oval exact")):
+        done = start("calibrate", "--dry-run", changes=changes, quiet=False, cache=None)
+        listed = re.findall(r"^  ([a-z-]+)$", done.stdout, re.MULTILINE)
+        check(" ".join(listed) == models, f"{changes}: {listed}, {done.stdout}, {done.stderr}")
     line, _ = first_line()
     check("no answer for this drive" in line and f"chaindrive calibrate {HARD} --set" in line, line)
 
