@@ -4,8 +4,9 @@
 // statics: pin and bush as elastic pieces whose displacements are even and odd across the middle
 // plane, in contact on patches of both halves, with pin and bore as far from parallel as the links.
 // Joints without penalty, on the coarsest meshes that runs have by default, bear the force within 3
-// % and the moment within 12 %; with the penalty and the meshes of full they bear half of the force
-// and two fifths of the moment or less. In line the reference is the one of room statics.
+// % and the moment within 2 %, or where they are pulled twice as far up to a tenth less; with the
+// penalty and the meshes of full they bear half of the force and two fifths of the moment or less.
+// In line the reference is the one of room statics.
 #include "../support/joined_links.h"
 
 #include <chaindrive/dynamics/relaxation.h>
@@ -303,9 +304,12 @@ int main(int argc, char **argv)
   decltype(scene::Scene::bases) of_exact, of_penalty;
   struct Case
   {
-    double extension, askew;
+    double extension, askew, least, most; ///< m, rad; moment over that of statics
   };
-  for (const Case &c : {Case{20e-6, 1e-3}, Case{20e-6, 4e-3}, Case{40e-6, 1e-3}, Case{40e-6, 4e-3}})
+  for (const Case &c : {Case{20e-6, 1e-3, 0.98, 1.02},
+                        Case{20e-6, 4e-3, 0.98, 1.02},
+                        Case{40e-6, 1e-3, 0.9, 1.},
+                        Case{40e-6, 4e-3, 0.93, 1.}})
     {
       const Load wanted = statics.at(c.extension, c.askew);
       const Load found  = joint_load(bent(p, drive, c.extension, c.askew, false), exact, of_exact);
@@ -313,7 +317,9 @@ int main(int argc, char **argv)
       note("statics", wanted);
       note("without penalty", found);
       verdict("  force within 3 %", std::abs(found.force / wanted.force - 1.) < 0.03);
-      verdict("  moment within 12 %", std::abs(found.moment / wanted.moment - 1.) < 0.12);
+      const double moment = found.moment / wanted.moment;
+      verdict(c.most > 1. ? "  moment within 2 %" : "  moment up to a tenth less",
+              moment > c.least && moment < c.most);
       const Load soft = joint_load(bent(p, drive, c.extension, c.askew, true), penalty, of_penalty);
       note("with the penalty of full", soft);
       verdict("  with a penalty force within 0.45 to 0.6 of it",
