@@ -329,7 +329,7 @@ std::optional<CoupledModes> coupled(const std::string              &file,
 {
   const Parameters     p        = model::read_parameters(file, overrides).parameters;
   const drive::Drive   drive    = drive::make_drive(p);
-  const scene::BasisOf basis_of = [&p](const mesh::Part &part) {
+  const scene::BasisOf basis_of = [&p, &drive](const mesh::Part &part) {
     statics::Cache cache(statics::Cache::usual_folder());
     return std::make_shared<const reduction::Basis>(
         reduction::kept_basis(part,
