@@ -23,7 +23,8 @@ bool with_numbers = false; ///< behind the verdicts: if there is an argument
 
 constexpr unsigned int n = 11;
 
-scene::Scene make_scene(const bool rubs)
+/// @p slowed: modes of rollers and links as in runs, so that the joint decides about the limit.
+scene::Scene make_scene(const bool rubs, const bool slowed = false)
 {
   scene::Scene scene               = empty_scene();
   const auto   chain               = drive::make_chain(parameters::Chain());
@@ -79,6 +80,17 @@ scene::Scene make_scene(const bool rubs)
   options.orders.tube      = 0; // teeth do not press
   options.orders.in_joints = false;
   reduce(scene, options);
+  if (slowed)
+    {
+      options.fastest_of_rollers = 2e3 * dealii::numbers::PI * 90.;
+      options.fastest_of_links   = 2e3 * dealii::numbers::PI * 80.;
+      for (auto &[part, basis] : scene.bases)
+        {
+          auto slower = std::make_shared<reduction::Basis>(*basis);
+          slow_down(*scene.parts.at(part), options, *slower);
+          basis = slower;
+        }
+    }
   return scene;
 }
 
@@ -243,7 +255,7 @@ int main(int argc, char **argv)
                 always = collide(true, dt, MPI_COMM_WORLD, true);
   if (!first)
     return 0;
-  const scene::Scene     scene = make_scene(false);
+  const scene::Scene     scene = make_scene(false, true);
   const dynamics::System system(scene, false, MPI_COMM_SELF);
   const double           limit =
       stability::step_limit(system.world, system.bars, system.forces, system.contacts);
