@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <tuple>
 
 namespace chaindrive
 {
@@ -249,10 +247,10 @@ share_chain(const scene::Scene &scene, const Partition &partition, const unsigne
       for (const auto &[of, bodies] : of_parts)
         {
           const unsigned int n_in_turn = batches_in_turn(of);
-          shares[of]                   = {
-                                neighbours_in_batches(in_pieces(bodies, n_in_turn * n_lanes, n_ranks), n_in_turn),
-                                partition.first_batch.at({reduced, of}),
-                                {}};
+          ChainShare        &share     = shares[of];
+          share.bodies =
+              neighbours_in_batches(in_pieces(bodies, n_in_turn * n_lanes, n_ranks), n_in_turn);
+          share.first_batch = partition.first_batch.at({reduced, of});
         }
       return shares;
     }

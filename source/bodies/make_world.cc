@@ -12,7 +12,6 @@
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/ranks.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
