@@ -174,12 +174,10 @@ void PackedRows::add(const std::size_t                 first,
                      const std::size_t                 n,
                      std::vector<std::vector<double>> &values)
 {
-  if (first % block_ != 0 || n != block_)
-    {
-      blocks_.erase(first / block_ * block_);
-      return;
-    }
-  if (bytes_ > most_kept)
+  if (n == 0)
+    return;
+  blocks_.erase(first / block_ * block_);
+  if (first % block_ != 0 || bytes_ > most_kept)
     return;
   std::vector<PackedChunk> &chunks = blocks_[first] = packer_.pack(n, values);
   for (const PackedChunk &chunk : chunks)

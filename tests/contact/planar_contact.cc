@@ -203,16 +203,18 @@ void pass(const std::string &name, const drive::ToothForm &form)
           if (++step % 5 != 0)
             return;
           const Frame &sprocket = system.world.frames.back();
-          for (const contact::Record &record : system.contacts.families()[0]->records())
-            if (record.gap < 2e-3)
-              {
-                const Vector3 at = transpose(sprocket.rotation) *
-                                   (system.world.frames[record.slave].position - sprocket.position);
-                const double gap =
-                    form.closest_point(dealii::Point<2>(at[0], at[1])).distance - 5.08e-3;
-                largest = std::max(largest, std::abs(gap - record.gap));
-                ++n;
-              }
+          const auto  &family =
+              dynamic_cast<const contact::PlanarContact &>(*system.contacts.families()[0]);
+          for (const unsigned int i : family.near())
+            {
+              const contact::Record &record = family.records()[i];
+              const Vector3          at     = transpose(sprocket.rotation) *
+                                 (system.world.frames[record.slave].position - sprocket.position);
+              const double gap =
+                  form.closest_point(dealii::Point<2>(at[0], at[1])).distance - 5.08e-3;
+              largest = std::max(largest, std::abs(gap - record.gap));
+              ++n;
+            }
         });
         unsetenv("CHAINDRIVE_SIMD_WIDTH");
       }

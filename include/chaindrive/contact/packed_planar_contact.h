@@ -373,16 +373,16 @@ void press_teeth_of(PlanarSlots           bodies,
             {
               const double       at[2] = {p[0][i], p[1][i]};
               const unsigned int which = static_cast<unsigned int>(nearest.which[i]);
-              // a tenth more: a roller may be an oval
-              const double room = 1.1 * law.of(planar_touch_room, place)[i];
-              keep_nearest<width>(
-                  teeth,
-                  place + i,
-                  {which > 0 ? (which - 1) / 2 : static_cast<unsigned int>(nearest.segment[i]),
-                   which > 0 ? (which - 1) % 2 + 1 : 0,
-                   nearest.distance[i]},
-                  at,
-                  room);
+              if (!stays_near<width>(teeth, place + i, at))
+                keep_nearest<width>(
+                    teeth,
+                    place + i,
+                    {which > 0 ? (which - 1) / 2 : static_cast<unsigned int>(nearest.segment[i]),
+                     which > 0 ? (which - 1) % 2 + 1 : 0,
+                     nearest.distance[i]},
+                    at,
+                    // a tenth more: a roller may be an oval
+                    1.1 * law.of(planar_touch_room, place)[i]);
               if (which == 0)
                 continue;
               double normal[2];

@@ -111,8 +111,13 @@ distance_between_ends(const PlanarSegment &s, const double (&p)[2], double &insi
     }
   const double w[2] = {p[0] - s.centre[0], p[1] - s.centre[1]},
                norm = __builtin_sqrt(w[0] * w[0] + w[1] * w[1]);
-  // what is halved grows by no more than twice the way
-  inside = 0.5 * (w[0] * s.middle[0] + w[1] * s.middle[1] - norm * s.half_cosine);
+  // norm times the sine of the angle to the nearer end, as the centre sees it
+  const double along = w[0] * s.middle[0] + w[1] * s.middle[1],
+               aside = __builtin_sqrt(greatest(0., norm * norm - along * along)),
+               sine  = __builtin_sqrt(greatest(0., 1. - s.half_cosine * s.half_cosine));
+  inside             = sine * along - s.half_cosine * aside;
+  if (sine * aside + s.half_cosine * along < 0.) // more than a right angle away from it
+    inside = along - norm * s.half_cosine > 0. ? norm : -norm;
   return s.kind * (norm - s.radius);
 }
 
@@ -128,20 +133,24 @@ struct NearestPiece
 /// not known. A template, so that each instruction set has its own.
 ///
 /// A distance grows or falls by no more than the way. Where the profile is smooth, or has a convex
-/// corner, the end that two segments share is never nearer than the one of them between whose ends
-/// the point is.
+/// corner as the point sees it, the end that two segments share is never nearer than the one of
+/// them between whose ends the point is.
 template <int width>
 double way_to_others(const PlanarTeeth  &teeth,
                      const NearestPiece &nearest,
                      const double (&p)[2],
                      const double room)
 {
-  constexpr double     round_off = 1e-6; // m; where two are equally near there is no telling
+  constexpr double     round_off = 1e-7; // m; where two are equally near there is no telling
   const PlanarSegment &own       = teeth.segments[nearest.segment];
   const bool           between   = nearest.end == 0;
-  double               way       = 0.;
+  double               way = 0., side = 1.; // of the profile: positive outside of the metal
   if (between)
-    distance_between_ends(own, p, way);
+    {
+      side = distance_between_ends(own, p, way);
+      if (own.corner[0] != 0 || own.corner[1] != 0) // which it sees otherwise from the other side
+        way = least(way, greatest(side, -side));
+    }
   else if (own.corner[nearest.end - 1] <= 0)
     return 0.;
   else
@@ -152,7 +161,8 @@ double way_to_others(const PlanarTeeth  &teeth,
                             i == nearest.segment + 1 && e == 0 ? 1 :
                             i + 1 == nearest.segment && e == 1 ? 0 :
                                                                  2;
-    return at < 2 && (between ? own.corner[at] >= 0 : nearest.end == at + 1);
+    return at < 2 &&
+           (between ? own.corner[at] == 0 || own.corner[at] * side > 0. : nearest.end == at + 1);
   };
   for (unsigned int i = 0; i < teeth.n_segments; ++i)
     {
@@ -207,6 +217,15 @@ void keep_nearest(const PlanarTeeth  &teeth,
       set(known_centre + i, centre[i]);
       set(known_normal + i, is_line ? normal[i] : 0.);
     }
+}
+
+/// Whether what is known for the roller at @p place still holds at the point @p p.
+template <int width>
+bool stays_near(const PlanarTeeth &teeth, const unsigned int place, const double (&p)[2])
+{
+  const double *at = teeth.known + place;
+  const double  x = p[0] - at[known_at * teeth.n], y = p[1] - at[(known_at + 1) * teeth.n];
+  return x * x + y * y <= at[known_room * teeth.n];
 }
 
 /// What nearest_on_profile() would find for the rollers from @p place on, which have stayed where

@@ -228,9 +228,6 @@ CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &la
 
   const Number limit        = law.friction * touch.normal;
   const auto   within_limit = [&limit](const Number &size) {
-    if constexpr (n_tangents == 1) // most joints of a chain stick: divisions take long
-      if (!any_less(limit, size))
-        return Number(1.);
     return if_less(limit, size, limit / size, Number(1.));
   };
   Number increment[n_tangents], elastic[n_tangents];

@@ -52,8 +52,9 @@ class PackedRows
 public:
   PackedRows(const std::vector<TableInfo> &tables, std::size_t block);
 
-  /// The first @p n rows of every @p values[table] are the rows [first, first + n) of the file. A
-  /// block that they fill is packed, of any other nothing is known any more.
+  /// The first @p n rows of every @p values[table] are the rows [first, first + n) of the file. The
+  /// block that begins with them is packed, which the last one need not fill; of one that goes on
+  /// with them nothing is known any more. Rows of @p values from n on become NaN.
   void add(std::size_t first, std::size_t n, std::vector<std::vector<double>> &values);
 
   /// The chunks of the block that begins with row @p first, or null.
