@@ -186,8 +186,9 @@ void print_plan(std::ostream &out, const Scene &scene)
 
   out << "Effects\n";
   for (const model::Decision &effect : scene.effects)
-    out << "  " << std::left << std::setw(24) << effect.name() << std::right
-        << (effect.on ? "on   " : "off  ") << effect.reason << '\n';
+    out << "  " << std::left << std::setw(24) << effect.name()
+        << (effect.name().size() < 24 ? "" : "  ") << std::right << (effect.on ? "on   " : "off  ")
+        << effect.reason << '\n';
 
   out << "Choices\n";
   for (const std::string &note : scene.notes)
