@@ -242,7 +242,8 @@ void print(std::ostream           &out,
       << to_text(1e3 * (noise.grid.start + noise.grid.step * noise.grid.size), 5)
       << " ms; tooth frequency " << to_text(tooth_frequency, 5) << " Hz, up to "
       << to_text(1e-3 * noise.highest, 3) << " kHz\n"
-      << "  observer         x, m    y, m    z, m   level, dB  95 % +-   dB(A)       +-   peak, Pa\n";
+      << "  observer         x, m    y, m    z, m"
+      << "   level, dB  95 % +-   dB(A)       +-   peak, Pa\n";
   const std::ios_base::fmtflags flags = out.flags();
   out << std::fixed;
   const auto around = [](const double half) {
