@@ -323,6 +323,10 @@ int main(int argc, char **argv)
           setenv("HWLOC_PLUGINS_PATH", "", 0);
         }
     }
+  // Ranks of one machine need no network either, which the default looks for.
+  else if (const char *local = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+           local != nullptr && std::string(local) == std::getenv("OMPI_COMM_WORLD_SIZE"))
+    setenv("OMPI_MCA_pml", "ob1", 0);
   std::signal(SIGXFSZ, SIG_IGN); // a file at its size limit is a failed write, told in a sentence
   catch_stop_signals(hang_up_was_ignored);
   Successor successor;
