@@ -257,6 +257,7 @@ void JointBatch::press()
       problems[lane] = problem_of(lane, matrix);
     }
   e.solver.solve(problems, tolerance, e.sets);
+  deflected_.fill(0.);
   std::array<double, n_lanes> stored{};
   for (int lane = 0; lane < n_lanes; ++lane)
     {
@@ -275,6 +276,7 @@ void JointBatch::press()
         const unsigned int i                                         = e.sets[lane].number[a];
         room.forces[e.visit_of[i * n_lanes + lane] * n_lanes + lane] = e.sets[lane].pressure[a];
         stored[lane] -= 0.5 * e.sets[lane].pressure[a] * e.gap[lane][i]; // p C p / 2
+        deflected_[lane] = std::max(deflected_[lane], -e.gap[lane][i]);
       }
   kernels_.press(arguments_, nodes);
   for (int lane = 0; lane < n_lanes; ++lane)

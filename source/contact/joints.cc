@@ -343,6 +343,7 @@ void JointBatch::serialize(const int lane, const Archive &archive)
   if (exact_)
     archive.numbers("gaps", gap_.data() + lane, gap_.size() / n_lanes, n_lanes);
   archive("deflection", deflection_[lane]);
+  archive("deflected", deflected_[lane]);
   archive("first", window_.first[lane]);
   archive("count", window_.count[lane]);
   archive("cell", window_.cell[lane]);

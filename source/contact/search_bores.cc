@@ -36,10 +36,10 @@ void NodeBores::announce(World &world, const std::optional<double> dt)
         announce_joints(world, group, b, every_step_ ? Readers::search : Readers::forces);
       else
         {
-          JointBatch  &batch   = *group.batches[b];
-          const double use     = group.by_distance ? moved(world, group, b, least_reach) : *dt;
-          const bool   farther = set_margins(group, b);
-          group.use[b]         = use;
+          JointBatch  &batch = *group.batches[b];
+          const double use   = group.by_distance ? moved(world, group, b, least_reach) : *dt;
+          group.use[b]       = use;
+          const bool farther = set_margins(group, b);
           if (group.by_distance && !every_step_ && !farther && batch.search_due(use))
             if (const double rest = left(world, group, b); rest > 0.25 * least_reach)
               batch.renew(rest + use);
@@ -193,10 +193,18 @@ bool NodeBores::set_margins(Group &group, const unsigned int b) const
           std::any_of(group.coupled.begin(), group.coupled.end(), [body](const auto &coupled) {
             return coupled.strips->problem_of(body) != nullptr;
           });
-      const double margin = on_teeth ? 1e-5 : 1e-6;
-      const int    lane   = static_cast<int>(i % n_lanes);
-      more                = more || margin > group.batches[b]->deflection(lane);
-      group.batches[b]->set_deflection(lane, margin);
+      const int lane = static_cast<int>(i % n_lanes);
+      // by as much as last time, and what may come nearer in a step; in steps of two, or a load
+      // that rises would ask for a search each time
+      const double last =
+          group.batches[b]->deflected(lane) + (group.by_distance ? 2. * group.use[b] : 0.);
+      double margin = on_teeth ? 1e-5 : 1e-6;
+      while (margin < last)
+        margin *= 2.;
+      const double known = group.batches[b]->deflection(lane);
+      more               = more || margin > known;
+      if (margin > known || 4. * margin <= known)
+        group.batches[b]->set_deflection(lane, margin);
     }
   return more;
 }

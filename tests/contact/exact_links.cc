@@ -125,7 +125,7 @@ int main(int argc, char **argv)
       p.drive.chain.designation           = chain;
       const drive::Drive            drive = drive::make_drive(p);
       decltype(scene::Scene::bases) bases;
-      exact.modes_up_to = modes_of(drive);
+      exact.modes_up_to           = modes_of(drive);
       double                least = 2., largest = 0.;
       std::array<double, 2> light{}; // at a tenth and three tenths
       bool                  peaks = true;

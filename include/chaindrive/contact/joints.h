@@ -88,6 +88,10 @@ public:
   void   set_deflection(int lane, double deflection) { deflection_[lane] = deflection; }
   double deflection(int lane) const { return deflection_[lane]; }
 
+  /// By how much [m] at most what is pressed together in @p lane, without penalty, was deflected
+  /// when forces were last added.
+  double deflected(int lane) const { return deflected_[lane]; }
+
   /// Makes the windows anew, of what is nearer than a @p reach [m], not negative, and a @p margin
   /// [m]. It holds until surfaces may have come nearer by the reach, with 0 for no step: with @p
   /// unforeseen [m/s], positive, for a time, see holding_time(); without it for this distance.
@@ -232,6 +236,7 @@ private:
   std::vector<double>           at_least_;      ///< [column][lane], gaps at the last search, m
   std::array<double, n_lanes>   reach_{};       ///< of the last search, if by distance, m
   std::array<double, n_lanes>   deflection_{};  ///< m
+  std::array<double, n_lanes>   deflected_{};   ///< m
   double                        use_ = 0.;      ///< of the forces that are being added
   std::array<double, n_lanes>   closing_{};
   SearchCadence                 cadence_; ///< s
