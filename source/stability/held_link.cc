@@ -100,7 +100,8 @@ void HeldLink::add_springs(const HeldBody &body, const std::vector<unsigned int>
     }
 }
 
-const Hold &HeldLink::hold(Side &side, const unsigned int direction, const unsigned int ring_way)
+const Hold &
+HeldLink::closed_at(Side &side, const unsigned int direction, const unsigned int ring_way)
 {
   const auto [found, is_new] = side.made.try_emplace({direction, ring_way});
   if (is_new && side.ring != nullptr)
@@ -117,7 +118,7 @@ Matrix HeldLink::matrix()
     sum(i, i) = free_[i];
   for (Side &side : sides_)
     {
-      const Hold &held = hold(side, side.direction.now, side.ring_way.now);
+      const Hold &held = closed_at(side, side.direction.now, side.ring_way.now);
       add_to(held.matrix, 1., side.motions, sum);
       if (held.nodes != nullptr)
         add_to(held.across, held.nodes->springs, side.motions, sum);
@@ -152,7 +153,7 @@ double HeldLink::step_from_here()
       for (Side &side : sides_)
         {
           const auto stiffness = [&]() {
-            const Hold &held = hold(side, side.direction.now, side.ring_way.now);
+            const Hold &held = closed_at(side, side.direction.now, side.ring_way.now);
             return square_by(held.matrix, side.motions, fastest) +
                    (held.nodes != nullptr ?
                         held.nodes->springs * square_by(held.across, side.motions, fastest) :

@@ -380,9 +380,7 @@ void press_teeth_of(PlanarSlots           bodies,
                     {which > 0 ? (which - 1) / 2 : static_cast<unsigned int>(nearest.segment[i]),
                      which > 0 ? (which - 1) % 2 + 1 : 0,
                      nearest.distance[i]},
-                    at,
-                    // a tenth more: a roller may be an oval
-                    1.1 * law.of(planar_touch_room, place)[i]);
+                    at);
               if (which == 0)
                 continue;
               double normal[2];

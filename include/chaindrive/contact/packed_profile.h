@@ -129,53 +129,38 @@ struct NearestPiece
 };
 
 /// How far the point @p p may go [m] before another piece of the profile than @p nearest is
-/// nearest, or a roller of the radius @p room [m] may touch a corner; not positive where that is
-/// not known. A template, so that each instruction set has its own.
+/// nearest; not positive where that is not known, as of an end, which two segments have and know
+/// differently in the last digit. A template, so that each instruction set has its own.
 ///
 /// A distance grows or falls by no more than the way. Where the profile is smooth, or has a convex
 /// corner as the point sees it, the end that two segments share is never nearer than the one of
 /// them between whose ends the point is.
 template <int width>
-double way_to_others(const PlanarTeeth  &teeth,
-                     const NearestPiece &nearest,
-                     const double (&p)[2],
-                     const double room)
+double way_to_others(const PlanarTeeth &teeth, const NearestPiece &nearest, const double (&p)[2])
 {
-  constexpr double     round_off = 1e-7; // m; where two are equally near there is no telling
-  const PlanarSegment &own       = teeth.segments[nearest.segment];
-  const bool           between   = nearest.end == 0;
-  double               way = 0., side = 1.; // of the profile: positive outside of the metal
-  if (between)
-    {
-      side = distance_between_ends(own, p, way);
-      if (own.corner[0] != 0 || own.corner[1] != 0) // which it sees otherwise from the other side
-        way = least(way, greatest(side, -side));
-    }
-  else if (own.corner[nearest.end - 1] <= 0)
+  constexpr double round_off = 1e-7; // m; where two are equally near there is no telling
+  if (nearest.end != 0)
     return 0.;
-  else
-    way = nearest.distance - room;
-  // whether the begin (0) or end (1) of segment i is an end of what is nearest, or just that
+  const PlanarSegment &own  = teeth.segments[nearest.segment];
+  double               way  = 0.;
+  const double         side = distance_between_ends(own, p, way); // positive outside of the metal
+  if (own.corner[0] != 0 || own.corner[1] != 0) // which it sees otherwise from the other side
+    way = least(way, greatest(side, -side));
+  // whether the begin (0) or end (1) of segment i is an end of what is nearest
   const auto is_own = [&](const unsigned int i, const unsigned int e) {
     const unsigned int at = i == nearest.segment               ? e :
                             i == nearest.segment + 1 && e == 0 ? 1 :
                             i + 1 == nearest.segment && e == 1 ? 0 :
                                                                  2;
-    return at < 2 &&
-           (between ? own.corner[at] == 0 || own.corner[at] * side > 0. : nearest.end == at + 1);
+    return at < 2 && (own.corner[at] == 0 || own.corner[at] * side > 0.);
   };
   for (unsigned int i = 0; i < teeth.n_segments; ++i)
     {
       const PlanarSegment &s = teeth.segments[i];
       double               inside;
       const double         away = distance_between_ends(s, p, inside);
-      if (inside > 0.)
-        {
-          if (!between || i != nearest.segment)
-            way = least(way, 0.5 * (greatest(away, -away) - nearest.distance));
-        }
-      else if (!between && (is_own(i, 0) || is_own(i, 1)))
-        way = least(way, -inside); // between its ends it is nearer than its end
+      if (inside > 0. && i != nearest.segment)
+        way = least(way, 0.5 * (greatest(away, -away) - nearest.distance));
       for (unsigned int e = 0; e < 2; ++e)
         if (!is_own(i, e))
           {
@@ -192,25 +177,22 @@ template <int width>
 void keep_nearest(const PlanarTeeth  &teeth,
                   const unsigned int  place,
                   const NearestPiece &nearest,
-                  const double (&p)[2],
-                  const double room)
+                  const double (&p)[2])
 {
   const PlanarSegment &s   = teeth.segments[nearest.segment];
   const auto           set = [&](const unsigned int entry, const double x) {
     teeth.known[entry * teeth.n + place] = x;
   };
-  const double way = way_to_others<width>(teeth, nearest, p, room);
+  const double way = way_to_others<width>(teeth, nearest, p);
   set(known_room, way > 0. ? way * way : -1.);
-  const bool between = nearest.end == 0, is_line = between && s.kind == 0;
-  set(known_radius, between ? s.radius : 0.);
-  set(known_sign, is_line ? 0. : between ? s.kind : 1.);
+  const bool is_line = s.kind == 0;
+  set(known_radius, s.radius);
+  set(known_sign, s.kind);
   // as in nearest_on_profile()
   const double  d[2]   = {s.end[0] - s.begin[0], s.end[1] - s.begin[1]};
   const double  square = d[0] * d[0] + d[1] * d[1], one = 1. / __builtin_sqrt(square);
   const double  normal[2] = {d[1] * one, -d[0] * one};
-  const double *centre    = nearest.end == 1 || is_line ? s.begin :
-                            nearest.end == 2            ? s.end :
-                                                          s.centre;
+  const double *centre    = is_line ? s.begin : s.centre;
   for (unsigned int i = 0; i < 2; ++i)
     {
       set(known_at + i, p[i]);

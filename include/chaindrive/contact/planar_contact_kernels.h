@@ -70,10 +70,9 @@ struct PlanarSegment
 /// as the roller stays near the place where that was found, no other piece need be looked at.
 enum KnownNearest : unsigned int
 {
-  known_at     = 0,    ///< that place, folded into the half sector of the profile, x and y, m
-  known_room   = 2,    ///< square of how far the roller may go from there, m2; negative: nowhere
-  known_centre = 3,    ///< of the arc, x and y, or a point of the line, m; a corner is an arc of
-                       ///< radius 0, from which the roller is too far away to touch it
+  known_at        = 0, ///< that place, folded into the half sector of the profile, x and y, m
+  known_room      = 2, ///< square of how far the roller may go from there, m2; negative: nowhere
+  known_centre    = 3, ///< of the arc, x and y, or a point of the line, m
   known_radius    = 5, ///< m
   known_sign      = 6, ///< 1: convex, -1: concave arc, 0: line
   known_normal    = 7, ///< out of the metal, of a line, x and y

@@ -123,7 +123,7 @@ private:
   };
 
   /// What a side holds, 1/s2, closed about this direction and, of a ring, in this way.
-  const Hold &hold(Side &side, unsigned int direction, unsigned int ring_way);
+  const Hold &closed_at(Side &side, unsigned int direction, unsigned int ring_way);
 
   /// All as they close now, without springs of penalties.
   Matrix matrix();
