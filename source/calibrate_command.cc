@@ -87,7 +87,7 @@ std::string of_rigid_models(const parameters::Input       &input,
 {
   const std::string name  = path + " = ";
   const std::size_t begin = input.fixed.find(name) + name.size();
-  const std::string value = input.fixed.substr(begin, input.fixed.find('\n', begin) - begin);
+  std::string       value = input.fixed.substr(begin, input.fixed.find('\n', begin) - begin);
   return of_models(
       path, models, [&](const RigidModel &) { return value; }, "auto");
 }
