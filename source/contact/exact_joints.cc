@@ -283,9 +283,8 @@ void JointBatch::press()
     {
       sums_.stored[lane] += stored[lane];
       if (arguments_.dt == 0.) // how bodies have been placed, before their walls deflect
-        for (const unsigned int i : e.sets[lane].number)
-          sums_.largest_penetration[lane] =
-              std::max(sums_.largest_penetration[lane], -e.gap[lane][i]);
+        sums_.largest_penetration[lane] =
+            std::max(sums_.largest_penetration[lane], deflected_[lane]);
     }
 }
 } // namespace chaindrive::contact

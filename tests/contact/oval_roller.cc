@@ -108,16 +108,8 @@ double rattle(const double dt)
   const double           bottom = 0.5 * teeth.root_diameter + radius;
   scene::Scene           scene =
       roller_and_bush(5e-3, vector(bottom + 30e-6, 5e-6), vector(bottom + 70e-6, 20e-6));
-  scene.bodies[1].initial.velocity = vector(-2., 0.7);
-  scene.bodies[0].initial.velocity = vector(-0.5, -0.4);
   add_teeth(scene, teeth);
-  turn(scene, 2, std::make_shared<functions::Constant>(120.));
-  dynamics::System system(scene, false);
-  double           worst = 0.;
-  advance(system, static_cast<unsigned long>(150e-6 / dt), dt, [&]() {
-    worst = std::max(worst, std::abs(system.world.ledger.imbalance()));
-  });
-  return worst / system.world.ledger.initial;
+  return thrown_together(scene, dt);
 }
 } // namespace
 

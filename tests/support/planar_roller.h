@@ -9,6 +9,8 @@
 #include <chaindrive/drive/tooth_form.h>
 #include <chaindrive/parameters/drive.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace test::planar_roller
@@ -62,5 +64,20 @@ inline void add_teeth(scene::Scene &scene, const drive::ToothForm &form)
   teeth.law          = {k, 0., 0., 0., 0.};
   teeth.slaves       = {{0, dealii::Point<3>(), radius, 0}};
   scene.teeth        = {teeth};
+}
+
+/// The @p scene has a bush, a roller and teeth, which then turn; all are thrown at each other for
+/// 150 us: the largest imbalance over their energy.
+inline double thrown_together(scene::Scene scene, const double dt)
+{
+  scene.bodies[1].initial.velocity = vector(-2., 0.7);
+  scene.bodies[0].initial.velocity = vector(-0.5, -0.4);
+  turn(scene, 2, std::make_shared<functions::Constant>(120.));
+  dynamics::System system(scene, false);
+  double           worst = 0.;
+  advance(system, static_cast<unsigned long>(150e-6 / dt), dt, [&]() {
+    worst = std::max(worst, std::abs(system.world.ledger.imbalance()));
+  });
+  return worst / system.world.ledger.initial;
 }
 } // namespace test::planar_roller
