@@ -13,16 +13,15 @@ Decision tooth_places(const Parameters &p, const Decision &compliance, const Dec
     return off("teeth do not deflect beside the contact: " + compliance.reason);
   if (!exact.on)
     return off("rollers and teeth touch by penalty: " + exact.reason);
-  const std::string switched =
-      "switched " + text_of(p.effects.tooth_places) + " in section Effects";
   if (p.effects.tooth_places == Switch::off)
-    return off(switched);
-  if (p.effects.tooth_places == Switch::automatic)
-    return off("auto: teeth are as soft everywhere as at the end of the seat");
+    return off("switched off in section Effects");
   if (p.contact.tooth_stiffness)
     return off("Contact/Tooth stiffness in N/m is one number");
   if (p.model.stiffness_from == parameters::StiffnessFrom::dimensions)
     return off("Model/Stiffness from = dimensions knows one stiffness of teeth");
-  return {Effect::tooth_places, true, switched};
+  return {Effect::tooth_places,
+          true,
+          p.effects.tooth_places == Switch::on ? "switched on in section Effects" :
+                                                 "a tooth is softer the higher a roller bears"};
 }
 } // namespace chaindrive::model

@@ -75,9 +75,9 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
          tooth_places,
          "Where rollers and teeth touch without penalty (Contact/Enforcement = exact), teeth are "
          "softer the higher a roller bears, as elastic solutions have them at the bottom of the "
-         "seat, at its end and between. auto: off, they are as soft everywhere as at the end of "
-         "the seat, where rollers of new chains bear. on: what doc/accuracy-and-cost.md says of "
-         "it; it needs Contact/Tooth stiffness in N/m = auto and Model/Stiffness from = parts.");
+         "seat, at its end and between. auto: on with Contact/Tooth stiffness in N/m = auto and "
+         "Model/Stiffness from = parts. off: they are as soft everywhere as at the end of the "
+         "seat, where rollers of new chains bear.");
   effect(
       "Plate bending",
       plate_bending,

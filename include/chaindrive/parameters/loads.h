@@ -56,7 +56,7 @@ struct Effects
   Switch elastic_rollers  = Switch::automatic; ///< needs them, see model/needs.h
   Switch plate_bending    = Switch::automatic; ///< automatic: on in elastic links
   Switch tooth_compliance = Switch::automatic; ///< automatic: on under reduced rollers
-  Switch tooth_places     = Switch::automatic; ///< automatic: off
+  Switch tooth_places     = Switch::automatic;
   Switch planar_motion    = Switch::automatic; ///< automatic: on where nothing leaves the plane
   Switch separate_strands = Switch::automatic; ///< automatic: on where wheels are out of line
   Switch oval_rollers     = Switch::automatic; ///< automatic: off
