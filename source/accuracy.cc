@@ -294,7 +294,7 @@ std::vector<StudyResult> results_of(const std::vector<StudyResult> &results,
     if (has(result, "Model/Fidelity=" + model.fidelity) &&
         has(result, "Contact/Enforcement=exact") == model.exact &&
         has(result, "Effects/Oval rollers=on") == model.oval &&
-        has(result, "Effects/Stiffness curves=on") == model.curves)
+        has(result, "Effects/Stiffness curves=off") == model.secants)
       found.push_back(result);
   return found;
 }

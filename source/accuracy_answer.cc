@@ -43,8 +43,9 @@ std::string in_words(const Candidate &candidate)
                                              ", against " + model.reference + " ");
 }
 
-/// What tells the variant of @p result from the program's own choices.
-std::string entries_text(const StudyResult &result)
+/// What tells the variant of @p result from the program's own choices, and from one of
+/// @p parameters that no study judges.
+std::string entries_text(const StudyResult &result, const Parameters &parameters)
 {
   const std::string automatic = "=auto";
   std::string       text;
@@ -52,6 +53,9 @@ std::string entries_text(const StudyResult &result)
     if (entry.size() < automatic.size() ||
         entry.compare(entry.size() - automatic.size(), automatic.size(), automatic) != 0)
       text += (text.empty() ? "" : "; ") + entry;
+  if (parameters.effects.stiffness_curves == parameters::Switch::off &&
+      text.find("Model/Fidelity=layered") != std::string::npos)
+    text += "; Effects/Stiffness curves=auto";
   return text;
 }
 
@@ -96,11 +100,10 @@ std::optional<Cost> cost_here(const StudyResult &result,
                               std::ostream      &out)
 {
   std::vector<std::string> overrides = command_line.overrides;
-  for (const std::string &entry : result.overrides)
-    if (!estimated || entry != "Effects/Stiffness curves=on") // which hardly cost anything
-      overrides.push_back(entry);
+  overrides.insert(overrides.end(), result.overrides.begin(), result.overrides.end());
   if (estimated)
-    overrides.emplace_back("Model/Stiffness from=dimensions");
+    overrides.insert(overrides.end(),
+                     {"Model/Stiffness from=dimensions", "Effects/Stiffness curves=auto"});
   const parameters::Input input = model::read_parameters(command_line.parameter_file, overrides);
   const std::vector<std::string> folders = mesh_folders(command_line.parameter_file);
   Simulation simulation(input.parameters, folders, comm, [&out](const std::string &sentence) {
@@ -424,7 +427,7 @@ void print_answers(std::ostream                   &out,
               first.model,
               first.run * std::sqrt(here.pitches / std::max(here.pitches, first.pitches)));
           line << in_words(first) << in_percent(all.error) << " (" << interval_text(all) << "); "
-               << costs.text_of(first) << "; " << entries_text(first.model)
+               << costs.text_of(first) << "; " << entries_text(first.model, parameters)
                << window_entries(first, here, parameters, facts.pitch_time, wanted, output) << '\n';
         }
       else if (expected)
@@ -433,7 +436,7 @@ void print_answers(std::ostream                   &out,
       else
         line << "no model; the best is " << in_words(*answer.best)
              << in_percent(answer.best->model.error) << " (" << interval_text(answer.best->model)
-             << ") in a long window; " << entries_text(answer.best->model) << '\n';
+             << ") in a long window; " << entries_text(answer.best->model, parameters) << '\n';
       print_table(line, answer, here, costs, wanted, here.until.count(output) > 0);
       line << sources_text(here, numerics, sampling, estimated);
       if (expected && !answer.found.empty())

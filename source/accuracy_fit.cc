@@ -17,10 +17,6 @@ std::vector<std::string> entries_of_model(const std::string &variant)
 {
   if (variant == "oval")
     return {"Model/Fidelity=layered", "Effects/Oval rollers=on"};
-  if (variant == "curves")
-    return {"Model/Fidelity=layered", "Effects/Stiffness curves=on"};
-  if (variant == "oval-curves")
-    return {"Model/Fidelity=layered", "Effects/Oval rollers=on", "Effects/Stiffness curves=on"};
   return {"Model/Fidelity=" + variant};
 }
 } // namespace

@@ -40,29 +40,18 @@ bool has_course(const parameters::Input &input)
 struct RigidModel
 {
   std::string name, fidelity;
-  bool        oval, curves; ///< Effects/Oval rollers and Effects/Stiffness curves
+  bool        oval; ///< Effects/Oval rollers
 };
 
 /// Those that can be had of this drive.
 std::vector<RigidModel> rigid_models(const Parameters &parameters)
 {
-  std::vector<RigidModel> models = {{"simple", "simple", false, false}};
-  for (const RigidModel &model : {RigidModel{"layered", "layered", false, false},
-                                  {"oval", "layered", true, false},
-                                  {"curves", "layered", false, true},
-                                  {"oval-curves", "layered", true, true}})
-    {
-      Parameters layered     = parameters;
-      layered.model.fidelity = model.fidelity;
-      if (model.oval)
-        layered.effects.oval_rollers = parameters::Switch::on;
-      if (model.curves)
-        layered.effects.stiffness_curves = parameters::Switch::on;
-      const model::Effects effects = model::decide_effects(layered);
-      if ((!model.oval || effects.is_on(model::Effect::oval_rollers)) &&
-          (!model.curves || effects.is_on(model::Effect::stiffness_curves)))
-        models.push_back(model);
-    }
+  std::vector<RigidModel> models = {{"simple", "simple", false}, {"layered", "layered", false}};
+  Parameters              oval   = parameters;
+  oval.model.fidelity            = "layered";
+  oval.effects.oval_rollers      = parameters::Switch::on;
+  if (model::decide_effects(oval).is_on(model::Effect::oval_rollers))
+    models.push_back({"oval", "layered", true});
   return models;
 }
 
@@ -108,46 +97,42 @@ std::vector<std::string> entries_of(const parameters::Input &input, const drive:
   const auto same = [](const std::string &value) {
     return [value](const RigidModel &) { return value; };
   };
-  const auto               on_or_off = [](const bool on) { return std::string(on ? "on" : "off"); };
-  const unsigned int       window    = std::max(shortest, drive::pitches_per_resonance(facts));
-  std::vector<std::string> entries   = {
-        "Study/Title=Calibration of " + facts.chain + ", " + std::to_string(facts.links) + " links",
-        "Study/Text=How wrong are the models for this drive? The reference, exact, has reduced "
-          "bodies "
-          "without penalty.",
-        "Study/Names=" + names + "exact",
-        "Study/Reference=exact",
-        "Study/Outputs=" + join(calibrated_outputs()),
-        "Study/Phases=" + std::to_string(n_phases),
-        "Model/Fidelity={" + fidelities + "reduced}",
-        "Model/Symmetry model=auto",
-        "Model/Elastic links=all",
-        of_models("Contact/Enforcement", models, same("auto"), "exact"),
-        of_models(
+  const unsigned int       window  = std::max(shortest, drive::pitches_per_resonance(facts));
+  std::vector<std::string> entries = {
+      "Study/Title=Calibration of " + facts.chain + ", " + std::to_string(facts.links) + " links",
+      "Study/Text=How wrong are the models for this drive? The reference, exact, has reduced "
+      "bodies "
+      "without penalty.",
+      "Study/Names=" + names + "exact",
+      "Study/Reference=exact",
+      "Study/Outputs=" + join(calibrated_outputs()),
+      "Study/Phases=" + std::to_string(n_phases),
+      "Model/Fidelity={" + fidelities + "reduced}",
+      "Model/Symmetry model=auto",
+      "Model/Elastic links=all",
+      of_models("Contact/Enforcement", models, same("auto"), "exact"),
+      of_models(
           "Effects/Oval rollers",
           models,
-          [&](const RigidModel &m) { return on_or_off(m.oval); },
+          [](const RigidModel &m) { return std::string(m.oval ? "on" : "off"); },
           "off"),
-        of_models(
-          "Effects/Stiffness curves",
-          models,
-          [&](const RigidModel &m) { return on_or_off(m.curves); },
-          "off"),
-        of_rigid_models(input, "Model/Mass per pitch in g", models),
-        of_rigid_models(input, "Model/Stiffness per pitch in N/m", models),
-        of_rigid_models(input, "Contact/Roller-tooth stiffness in N/m", models),
-        of_rigid_models(input, "Contact/Roller-bush stiffness in N/m", models),
-        // as many columns around pins and bushes as in prm/paper/reduced.prm
-        of_models("Mesh/Refinement", models, same("0"), "1"),
-        "Time/Time step in us=auto",
-        "Output/Quantities=all",
-        "Output/History interval in us=" + to_text(1e6 * std::min(20e-6, 2e-3 * pitch_time), 3),
-        "Output/Field interval in ms=0",
-        "Output/CSV=false",
-        "Output/Until=",
-        "Output/Directory=",
-        "Output/Resume=",
-        "Acoustics/Noise=off"};
+      "Effects/Stiffness curves=auto",
+      "Effects/Tooth compliance over place=auto",
+      of_rigid_models(input, "Model/Mass per pitch in g", models),
+      of_rigid_models(input, "Model/Stiffness per pitch in N/m", models),
+      of_rigid_models(input, "Contact/Roller-tooth stiffness in N/m", models),
+      of_rigid_models(input, "Contact/Roller-bush stiffness in N/m", models),
+      // as many columns around pins and bushes as in prm/paper/reduced.prm
+      of_models("Mesh/Refinement", models, same("0"), "1"),
+      "Time/Time step in us=auto",
+      "Output/Quantities=all",
+      "Output/History interval in us=" + to_text(1e6 * std::min(20e-6, 2e-3 * pitch_time), 3),
+      "Output/Field interval in ms=0",
+      "Output/CSV=false",
+      "Output/Until=",
+      "Output/Directory=",
+      "Output/Resume=",
+      "Acoustics/Noise=off"};
   if (!has_course(input))
     entries.insert(entries.end(),
                    {"Drive/Layout/Start=settled",

@@ -341,11 +341,12 @@ std::vector<StudyResult> results_here(const Prepared                 &prepared,
                                       const std::vector<StudyResult> &calibrated)
 {
   const model::Model &model = prepared.simulation.model;
-  return results_of(calibrated,
-                    {prepared.simulation.parameters.model.fidelity,
-                     model.effects.is_on(model::Effect::exact_joints),
-                     model.effects.is_on(model::Effect::oval_rollers),
-                     model.effects.is_on(model::Effect::stiffness_curves)});
+  return results_of(
+      calibrated,
+      {prepared.simulation.parameters.model.fidelity,
+       model.effects.is_on(model::Effect::exact_joints),
+       model.effects.is_on(model::Effect::oval_rollers),
+       prepared.simulation.parameters.effects.stiffness_curves == parameters::Switch::off});
 }
 
 /// Computes the noise of the run that has just ended; says why if that cannot be.

@@ -112,9 +112,9 @@ std::vector<StudyResult> find_calibration(const std::string &fixed, std::string 
 struct CalibratedModel
 {
   std::string fidelity;
-  bool        exact  = false; ///< without penalty
-  bool        oval   = false; ///< rollers become ovals
-  bool        curves = false; ///< of stiffness
+  bool        exact   = false; ///< without penalty
+  bool        oval    = false; ///< rollers become ovals
+  bool        secants = false; ///< Effects/Stiffness curves = off, which no study judges
 };
 
 /// What @p results say of this @p model; empty: nothing.

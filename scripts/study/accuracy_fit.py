@@ -15,7 +15,7 @@ import sys
 
 GAIN = 0.8  # of the root mean square error of left-out drives, by which a group is taken
 LEAST = 12  # drives
-MODELS = ("simple", "layered", "oval", "curves", "oval-curves")
+MODELS = ("simple", "layered", "oval")
 # 95 % quantiles of Student's t for 1, 2, ... degrees of freedom (Abramowitz and Stegun, table 26.10)
 T95 = (6.314, 2.920, 2.353, 2.132, 2.015, 1.943, 1.895, 1.860, 1.833, 1.812, 1.796, 1.782, 1.771, 1.761, 1.753, 1.746, 1.740, 1.734, 1.729,
        1.725, 1.721, 1.717, 1.714, 1.711, 1.708, 1.706, 1.703, 1.701, 1.699, 1.697)

@@ -394,10 +394,8 @@ Decision stiffness_curves(const Parameters &p, const Decision &planar)
     return off("fidelity " + p.model.fidelity + ": a roller is one lump with its links");
   if (!has_rollers(p))
     return off(no_rollers);
-  if (p.effects.stiffness_curves != Switch::on)
-    return off(p.effects.stiffness_curves == Switch::off ?
-                   switched(Switch::off, "Effects") :
-                   "auto: stiffnesses are those at the tension required by the load");
+  if (p.effects.stiffness_curves == Switch::off)
+    return off(switched(Switch::off, "Effects"));
   if (p.model.stiffness_from == parameters::StiffnessFrom::dimensions)
     return off("Model/Stiffness from = dimensions knows no curves");
   if (p.model.stiffness_per_pitch && p.contact.roller_tooth_stiffness &&
@@ -405,9 +403,13 @@ Decision stiffness_curves(const Parameters &p, const Decision &planar)
     return off("all stiffnesses are given");
   if (p.contact.oil_viscosity > 0. && p.effects.oil_film != Switch::off)
     return off("oil films stand on contacts of one stiffness");
+  if (!planar.on)
+    return off("not planar: " + planar.reason);
   return {effect,
-          planar.on,
-          planar.on ? switched(Switch::on, "Effects") : "not planar: " + planar.reason};
+          true,
+          p.effects.stiffness_curves == Switch::on ?
+              switched(Switch::on, "Effects") :
+              "parts get stiffer under load, and teeth are softer higher up"};
 }
 
 Decision yielding_shafts(const Parameters &p)

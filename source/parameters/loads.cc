@@ -109,12 +109,10 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
       "Stiffness curves",
       stiffness_curves,
       "Stiffnesses of layered fidelity that are auto follow from the elastic parts "
-      "(Model/Stiffness "
-      "from = parts) at every load, and that of roller and tooth at every place, too: teeth are "
-      "softer above the bottom of the gap. It needs rollers, planar motion and no oil film. auto: "
-      "off, each "
-      "is one number, force over approach at the tension required by the load and at the bottom of "
-      "the gap. on: what doc/accuracy-and-cost.md says of it.");
+      "(Model/Stiffness from = parts) at every load, and that of roller and tooth at every place, "
+      "too: teeth are softer above the bottom of the gap. auto: on where there are rollers, planar "
+      "motion and no oil film. off: each is one number, force over approach at the tension "
+      "required by the load and at the bottom of the gap.");
 }
 
 namespace

@@ -56,11 +56,11 @@ struct Effects
   Switch elastic_rollers  = Switch::automatic; ///< needs them, see model/needs.h
   Switch plate_bending    = Switch::automatic; ///< automatic: on in elastic links
   Switch tooth_compliance = Switch::automatic; ///< automatic: on under reduced rollers
-  Switch tooth_places     = Switch::automatic;
+  Switch tooth_places     = Switch::automatic; ///< automatic: on where they are known
   Switch planar_motion    = Switch::automatic; ///< automatic: on where nothing leaves the plane
   Switch separate_strands = Switch::automatic; ///< automatic: on where wheels are out of line
   Switch oval_rollers     = Switch::automatic; ///< automatic: off
-  Switch stiffness_curves = Switch::automatic; ///< automatic: off
+  Switch stiffness_curves = Switch::automatic; ///< automatic: on where they are known
 
   /// Declares an entry for each member and for Sprocket::elastic of each of @p sprockets, which
   /// takes every value that is set. The objects must outlive @p declarations.
