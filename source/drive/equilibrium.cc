@@ -46,10 +46,6 @@ Equilibrium::Equilibrium(Layout                          &layout,
     , guide_(guide)
     , frames_(layout.sprockets)
     , contact_radius_(chain.roller_radius - chain.bush_clearance)
-    , seat_stiffness_(chain.bush_clearance > 0. ?
-                          chain.tooth_stiffness * chain.bush_stiffness /
-                              (chain.tooth_stiffness + chain.bush_stiffness) :
-                          chain.tooth_stiffness)
     , centrifugal_(centrifugal)
 {
   if (layout.tensioner)
@@ -68,6 +64,13 @@ Equilibrium::Equilibrium(Layout                          &layout,
         moving_ = &held;
     }
   turned_.assign(wheels_.size(), 0.);
+  for (unsigned int k = 0; k < n_; ++k)
+    of_links_.push_back(k % 2 == 0 ? chain.inner_stiffness : chain.outer_stiffness);
+  of_seats_.assign(n_ * wheels_.size(),
+                   chain.bush_clearance > 0. ? chain.tooth_stiffness * chain.bush_stiffness /
+                                                   (chain.tooth_stiffness + chain.bush_stiffness) :
+                                               chain.tooth_stiffness);
+  of_bushes_.assign(n_, chain.bush_stiffness);
   for (unsigned int i = 0; i < wheels_.size(); ++i)
     if (!wheels_[i].held)
       free_.push_back(i);
@@ -120,14 +123,22 @@ void Equilibrium::move_shaft(const double by)
 
 bool Equilibrium::solve(const double tolerance)
 {
-  const double stiff = seat_stiffness_;
-  seat_stiffness_    = 0.02 * stiff;
-  for (;; seat_stiffness_ = std::min(stiff, 3. * seat_stiffness_))
+  const std::vector<double> stiff = of_seats_;
+  for (double &seat : of_seats_)
+    seat *= 0.02;
+  while (of_seats_ != stiff)
     {
-      const bool found = minimize(tolerance);
-      if (seat_stiffness_ == stiff)
-        return found;
+      minimize(tolerance);
+      for (std::size_t i = 0; i < stiff.size(); ++i)
+        of_seats_[i] = std::min(stiff[i], 3. * of_seats_[i]);
     }
+  constexpr double same = 1e-7; // and at a place that is so near
+  for (unsigned int i = 0; i < 30; ++i)
+    if (!minimize(tolerance))
+      return false;
+    else if (take_secants() < same)
+      return true;
+  return false;
 }
 
 bool Equilibrium::minimize(const double tolerance)
@@ -261,27 +272,22 @@ void Equilibrium::store() const
   set_links(layout_);
 }
 
-double Equilibrium::stiffness(const unsigned int k) const
-{
-  return k % 2 == 0 ? chain_.inner_stiffness : chain_.outer_stiffness;
-}
-
 double Equilibrium::length(const unsigned int k) const
 {
   return chain_.length.of(k) + (chain_.deviations.empty() ? 0. : chain_.deviations[k]) +
          (k % 2 == 0 ? 0. : chain_.shifts.pin_of(k) + chain_.shifts.pin_of((k + 1) % n_));
 }
 
-double Equilibrium::contact_stiffness(const unsigned int i) const
+double Equilibrium::contact_stiffness(const unsigned int k, const unsigned int i) const
 {
-  return wheels_[i].plates ? std::min(seat_stiffness_, wheels_[i].plates->stiffness) :
-                             seat_stiffness_;
+  const double seat = of_seats_[k * wheels_.size() + i];
+  return wheels_[i].plates ? std::min(seat, wheels_[i].plates->stiffness) : seat;
 }
 
 double Equilibrium::seat_force(const unsigned int k, const unsigned int i, const double depth) const
 {
   const double shift = wheels_[i].plates ? 0. : chain_.shifts.seat_of(k);
-  return contact_stiffness(i) * std::max(0., depth - shift);
+  return contact_stiffness(k, i) * std::max(0., depth - shift);
 }
 
 Point<2> Equilibrium::centre(const unsigned int i, const double turn) const
@@ -334,8 +340,7 @@ Point<2> Equilibrium::roller(const unsigned int k) const
         continue;
       const double depth = overlap(i, bush, 0., normal);
       if (depth > -clearance)
-        at += (clearance + (depth > 0. ? seat_force(k, i, depth) / chain_.bush_stiffness : depth)) *
-              normal;
+        at += (clearance + (depth > 0. ? seat_force(k, i, depth) / of_bushes_[k] : depth)) * normal;
       free = free && depth <= -clearance;
     }
   if (free && chain_.weight > 0.)
@@ -362,7 +367,7 @@ double Equilibrium::contact(const unsigned int     k,
                wheels_[i].held ?
                              0. :
                              force * (normal[1] * arm[0] - normal[0] * arm[1]) / wheels_[i].lever}};
-  return 0.5 * force * force / contact_stiffness(i);
+  return 0.5 * force * force / contact_stiffness(k, i);
 }
 
 void Equilibrium::add_contact(const unsigned int k, const unsigned int i, const unsigned int f)

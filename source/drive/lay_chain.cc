@@ -47,6 +47,7 @@ RestingChain resting_chain(const Parameters &p, const Drive &d)
   chain.inner_stiffness = 1e3 * d.stiffness_per_pitch; // as good as rigid
   chain.bush_clearance  = d.chain.roller_clearance();
   chain.bush_stiffness  = d.roller_bush_stiffness;
+  chain.curves          = d.curves;
   return chain;
 }
 

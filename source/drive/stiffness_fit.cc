@@ -135,6 +135,18 @@ double force_of(const StiffnessCurve &curve, const double place, const double ap
   return at_place(curve.first, at) * (approach - last) + at_place(curve.last, at) * last;
 }
 
+double approach_of(const StiffnessCurve &curve, const double place, const double force)
+{
+  const double at    = std::clamp(place, 0., curve.end);
+  const double first = at_place(curve.first, at), last = at_place(curve.last, at);
+  const double bend = 0.5 * (first + last) * curve.depth; // from which force on it is a line
+  if (force > bend)
+    return curve.depth + (force - bend) / last;
+  // the root of the parabola that is zero without force, where its curvature may vanish
+  const double growth = (last - first) / curve.depth;
+  return 2. * force / (first + std::sqrt(first * first + 2. * growth * force));
+}
+
 double stiffest(const StiffnessCurve &curve)
 {
   return std::max(extremes(curve.first, curve.end).second, extremes(curve.last, curve.end).second);

@@ -200,6 +200,15 @@ int main()
         drive::force_of(drive::fit_stiffness({places[0], places[2]}), 0.25, 5e-6),
         0.775 * drive::force_of(fitted, 0., 5e-6));
   ratio("the largest stiffness of all", drive::stiffest(of_places), 1.3 * k);
+  double off = 0.;
+  for (const double d : {1e-12, 1e-6, 5e-6, 0.999 * fitted.depth, 1.001 * fitted.depth, 1e-4})
+    for (const double place : {0., 0.37, 0.6})
+      off = std::max(
+          off,
+          std::abs(drive::approach_of(of_places, place, drive::force_of(of_places, place, d)) / d -
+                   1.));
+  std::cout << "approach of the force of an approach, off by: " << (off < 1e-12 ? 0. : off)
+            << std::endl;
 
   // m v^2 / 2 = c d^3 / 3; the way takes 2 d / v times the integral of 1 / sqrt(1 - x^3) from 0 to
   // 1

@@ -114,7 +114,7 @@ def tensioner_in_space():
     program.run(file, layered, "--output", "ranks", program=PROGRAM, ranks=2)
     program.run(file, {**layered, "Time/End time in ms": 2}, "--output", "resumed", program=PROGRAM)
     program.run(file, layered, "--output", "resumed", "--resume", "auto", program=PROGRAM)
-    program.run(file, {**layered, "Effects/Planar motion": "auto"}, "--output", "plane", program=PROGRAM)
+    program.run(file, {**layered, "Effects/Planar motion": "auto", **SECANTS}, "--output", "plane", program=PROGRAM)
     whole = chaindrive.open("whole")
     for other in ("ranks", "resumed"):
         run = chaindrive.open(other)
@@ -123,6 +123,9 @@ def tensioner_in_space():
     plane = np.asarray(chaindrive.open("plane")["hubs/idler_travel"])
     below("travel in the plane off that in space, m", np.abs(plane - np.asarray(whole["hubs/idler_travel"])).max(), 1e-9)
 
+
+#: As in space, where stiffnesses have no curves.
+SECANTS = {"Effects/Stiffness curves": "off"}
 
 SOFT = {"Drive/Wheels/driven/Coupling/Stiffness in N m/rad": 2000, "Drive/Wheels/driver/Bearing/Stiffness in N/m": 8e6}
 
@@ -214,7 +217,7 @@ def shafts_resumed():
     program.run(file, layered, "--output", "space_ranks", program=PROGRAM, ranks=2)
     program.run(file, {**layered, "Time/End time in ms": 2}, "--output", "resumed", program=PROGRAM)
     program.run(file, layered, "--output", "resumed", "--resume", "auto", program=PROGRAM)
-    program.run(file, {**layered, "Effects/Planar motion": "auto"}, "--output", "plane", program=PROGRAM)
+    program.run(file, {**layered, "Effects/Planar motion": "auto", **SECANTS}, "--output", "plane", program=PROGRAM)
     space = chaindrive.open("space")
     histories = ("driver_coupling_twist", "driven_coupling_moment", "driven_machine_velocity", "driver_displacement_y", "driven_bearing_force_x")
     for other in ("space_ranks", "resumed"):
@@ -225,12 +228,14 @@ def shafts_resumed():
     # impacts let round-off grow
     plane, in_space = (np.asarray(run["hubs/driver_displacement_x"])[space.time < 1e-3] for run in (chaindrive.open("plane"), space))
     below("displacement in the plane off that in space, m", np.abs(plane - in_space).max(), 1e-9)
-    reduced = {**SOFT, "Model/Fidelity": "reduced", "Time/End time in ms": 0.5, "Output/Window start in ms": 0, "Output/History precision": "double"}
+    # a settled start lets round-off grow while bodies are strained for it
+    reduced = {**SOFT, "Model/Fidelity": "reduced", "Drive/Layout/Start": "taut", "Loads/Ramp time in ms": 0.3, "Time/End time in ms": 1,
+               "Output/Window start in ms": 0, "Output/History precision": "double"}
     program.run(file, reduced, "--output", "one", program=PROGRAM)
     program.run(file, reduced, "--output", "two", program=PROGRAM, ranks=2)
     for history in histories:
         one, two = (np.asarray(chaindrive.open(name)[f"hubs/{history}"]) for name in ("one", "two"))
-        below(f"{history} on two ranks off that on one", np.abs(one - two).max() / np.abs(one).max(), 1e-9)
+        below(f"{history} on two ranks off that on one", np.abs(one - two).max() / np.abs(one).max(), 1e-11)
 
 
 def circle(points):
@@ -420,7 +425,7 @@ def blade_in_space():
     program.run(file, entries, "--output", "ranks", program=PROGRAM, ranks=2)
     program.run(file, {**entries, "Time/End time in ms": 2}, "--output", "resumed", program=PROGRAM)
     program.run(file, entries, "--output", "resumed", "--resume", "auto", program=PROGRAM)
-    program.run(file, {**entries, "Effects/Planar motion": "auto"}, "--output", "plane", program=PROGRAM)
+    program.run(file, {**entries, "Effects/Planar motion": "auto", **SECANTS}, "--output", "plane", program=PROGRAM)
     whole, summary = chaindrive.open("whole"), program.summary("whole")
     below("shoe: energy imbalance", summary["energy_imbalance_max"], 1e-3)
     below("shoe: momentum imbalance", summary["momentum_imbalance_max"], 1e-11)

@@ -34,11 +34,9 @@ public:
   void move_shaft(double by);
 
   /// Finds the equilibrium to @p tolerance [N]; false if there seems to be none. Stiff seats are
-  /// approached from soft ones: on these, fewer rollers are about to leave their teeth.
+  /// approached from soft ones: on these, fewer rollers are about to leave their teeth. What has a
+  /// curve of stiffness is a spring with its secant, until that is the one at its force.
   bool solve(double tolerance);
-
-  /// The same from where the chain is.
-  bool minimize(double tolerance);
 
   /// By which something is out of balance, N.
   double largest_force() const;
@@ -53,7 +51,22 @@ private:
   static constexpr double largest_move = 0.5e-3; // m, of a joint in one iteration
   static constexpr double nudge        = 1e-9;   // m, for differences of contact forces
 
-  double stiffness(unsigned int k) const;
+  /// The same with springs as they are, from where the chain is.
+  bool minimize(double tolerance);
+
+  /// Gives springs the secants of their curves at their forces; returns by which share one has
+  /// changed at most.
+  double take_secants();
+
+  /// Where joint @p k, which overlaps wheel @p i by @p depth along @p normal, touches it: the place
+  /// of @p curve, one of teeth.
+  double place_on(unsigned int          k,
+                  unsigned int          i,
+                  double                depth,
+                  const Vector         &normal,
+                  const StiffnessCurve &curve) const;
+
+  double stiffness(unsigned int k) const { return of_links_[k]; }
 
   /// Of the link from joint @p k on, without load, m. Joints are at the ends of outer links.
   double length(unsigned int k) const;
@@ -61,8 +74,8 @@ private:
   /// Of joint @p k on wheel @p i, which it overlaps by @p depth, N.
   double seat_force(unsigned int k, unsigned int i, double depth) const;
 
-  /// Of the contact of one joint with wheel @p i, N/m.
-  double contact_stiffness(unsigned int i) const;
+  /// Of the contact of joint @p k with wheel @p i, N/m.
+  double contact_stiffness(unsigned int k, unsigned int i) const;
 
   /// The guide's arm turns as a wheel does, by the moment of its spring.
   bool   is_arm(const unsigned int i) const { return guide_ && i == n_wheels_ && !wheels_[i].held; }
@@ -141,7 +154,9 @@ private:
   const Tensioner              *moving_ = nullptr; ///< what moves by travel_
   std::vector<Layout::Sprocket> frames_;           ///< of wheels, and the guide
   const double                  contact_radius_;
-  double                        seat_stiffness_;
+  std::vector<double>           of_links_;    ///< behind each joint, N/m
+  std::vector<double>           of_seats_;    ///< of each joint on each wheel and guide, N/m
+  std::vector<double>           of_bushes_;   ///< of each joint, N/m
   const double                  centrifugal_; ///< what turning its momentum takes of the tension, N
 
   std::vector<unsigned int>     free_;        ///< wheels that are not held

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chaindrive/drive/layout.h>
+#include <chaindrive/drive/stiffness.h>
 #include <chaindrive/path/obstacle.h>
 #include <chaindrive/path/wheel.h>
 
@@ -30,6 +31,10 @@ struct RestingChain
   JointShifts       shifts = {};
 
   std::vector<double> deviations = {}; ///< of single links from these lengths, m; empty: none
+
+  /// Of joints, which are an outer link's compliance, and contacts: instead of the stiffnesses
+  /// above where there are some.
+  StiffnessCurves curves = {};
 };
 
 /// What plates touch something with, in the place of rollers: their round ends.
