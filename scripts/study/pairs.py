@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""pairs.py [--rows NAME | --against ENTRIES] CHANGES [FILE.prm]...: errors of the layered model with some entries changed.
+"""pairs.py [--against ENTRIES] CHANGES [FILE.prm]...: errors of the layered model with some entries changed.
 
-    python3 scripts/study/pairs.py "Effects/Stiffness curves=on"
-    python3 scripts/study/pairs.py "Effects/Stiffness curves=on,Effects/Oval rollers=on" prm/twelve/06b-13-19.prm
-    python3 scripts/study/pairs.py --rows curves "Effects/Stiffness curves=on"
-    python3 scripts/study/pairs.py --against "Effects/Tooth compliance over place=on" "Effects/Stiffness curves=on" prm/twelve/06b-13-19.prm
+    python3 scripts/study/pairs.py "Effects/Stiffness curves=off"
+    python3 scripts/study/pairs.py "Effects/Stiffness curves=off,Effects/Oval rollers=on" prm/twelve/06b-13-19.prm
+    python3 scripts/study/pairs.py --against "Effects/Tooth compliance over place=off" "Effects/Stiffness curves=off" prm/twelve/06b-13-19.prm
 
 Runs each drive of source/accuracy.tsv, or those that are given, from the start phases and over the window of its calibration, without
 the changes and with them, and multiplies what the outputs become by with the errors that the calibration has found without them. The
 program is build/source/chaindrive; runs stand in results/pairs and are taken from there if they are there. A table in Markdown.
-
-With --rows it writes the errors into source/accuracy.tsv instead, as those of a model of this name, with intervals of 95 %: those of
-the calibration, and by squares that of the mean over the start phases of the logarithm of the ratio (Student's t).
 
 With --against the reference is not that of the calibrations: contact without penalty runs from the same start phases with these entries
 (none: ""), errors are against that, with half of their 95 % interval from the ratios of the phases, and a first table says what the
@@ -37,14 +33,10 @@ EXACT = {"Model/Fidelity": "reduced", "Model/Symmetry model": "auto", "Contact/E
          "Contact/Roller-bush stiffness in N/m": "auto", "Mesh/Refinement": "1"}
 
 
-def rows():
-    return [line.split("\t") for line in TABLE.read_text(encoding="utf-8").splitlines()]
-
-
 def known_drives():
     """{name: (file, pitch time [s], pitches in the window, {output: row of layered})} of the table."""
     errors, groups, drives = {}, {}, {}
-    for row in rows():
+    for row in (line.split("\t") for line in TABLE.read_text(encoding="utf-8").splitlines()):
         if row[0] == "groups":
             groups[row[1]] = dict(cell.split("=") for cell in row[2:])
         elif row[0] == "drive":
@@ -118,47 +110,16 @@ def pair(drive, text):
     return [measure(file, pitch_time, window, {**LAYERED, **entries_of(one)}, folder_of(file, one)) for one in ("", text)]
 
 
-def write_rows(drives, model, text):
-    kept, scatters = {}, {}
-    for name, drive in drives.items():
-        without, changed = pair(drive, text)
-        cpu = sum(changed["cpu"]) / sum(without["cpu"])
-        for output, row in drive[3].items():
-            times = ratio(changed, without, output) if output in OUTPUTS else None
-            if times is None:
-                continue
-            error, low, high = (0.01 * float(cell) for cell in row[4:7])
-            half = log_half(changed[output], without[output])
-            middle = (1 + error) * times - 1
-            bounds = [(1 + middle) * math.exp(side * math.hypot(math.log((1 + bound) / (1 + error)), half)) - 1
-                      for side, bound in ((-1, low), (1, high))]
-            kept.setdefault(name, []).append([name, model, row[2], output, *(f"{100 * x:.4g}" for x in (middle, *bounds)),
-                                              f"{float(row[7]) * cpu:.4g}", *row[8:], *text.split(",")])
-        for output in OUTPUTS:
-            values = changed[output]
-            if values and statistics.mean(values):
-                relative = 100 * statistics.stdev(values) / abs(statistics.mean(values))
-                scatters.setdefault(name, []).append(["scatter", name, model, output, f"{relative:.4g}", str(drive[2]), str(PHASES)])
-    lines = [row for row in rows() if row[1:2] != [model] and row[:1] + row[2:3] != ["scatter", model]]
-    for name in kept:  # behind the rows of layered
-        for found, like in ((kept[name], [name, "layered"]), (scatters[name], ["scatter", name, "layered"])):
-            last = max(i for i, row in enumerate(lines) if row[:len(like)] == like)
-            lines[last + 1:last + 1] = found
-    TABLE.write_text("\n".join("\t".join(row) for row in lines) + "\n", encoding="utf-8")
-
-
 def main():
     words = sys.argv[1:]
-    option, value = (words[0], words[1]) if len(words) > 2 and words[0] in ("--rows", "--against") else ("", "")
-    words = words[2:] if option else words
+    value = words[1] if len(words) > 2 and words[0] == "--against" else None
+    words = words[2:] if value is not None else words
     if not words or words[0].startswith("--"):
         sys.exit(__doc__)
     text, drives = words[0], known_drives()
     by_file = {drive[0].resolve(): name for name, drive in drives.items()}
     chosen = {by_file[pathlib.Path(path).resolve()]: None for path in words[1:]} or drives
     drives = {name: drives[name] for name in chosen}
-    if option == "--rows":
-        return write_rows(drives, value, text)
     of_file = {drive[0]: drive for drive in drives.values()}
 
     def by_ratios(file):
@@ -175,7 +136,7 @@ def main():
         halves = {name: (1 + error) * log_half(found[name], reference[name]) for name, error in errors.items() if error is not None}
         return errors, halves, ratio(found, reference, "cpu")
 
-    if option != "--against":
+    if value is None:
         return print_table(by_ratios, of_file)
     for changes in ("", text):
         print(f"{changes or 'without changes'}, against {value or 'contact without penalty'}")
