@@ -245,9 +245,13 @@ Simulation::Simulation(const Parameters                            &parameters,
 {
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)
     return;
-  system_ = make_system(model, drive, scene, comm);
-  step    = stability::choose_time_step(
-      system_->world, system_->bars, system_->forces, system_->contacts, model.time);
+  system_   = make_system(model, drive, scene, comm);
+  step      = stability::choose_time_step(system_->world,
+                                     system_->bars,
+                                     system_->forces,
+                                     system_->contacts,
+                                     system_->loads.drag(),
+                                     model.time);
   guard_    = std::make_unique<dynamics::Guard>(scene,
                                              *system_,
                                              model.time.energy_limit,

@@ -231,7 +231,7 @@ std::vector<stability::TimeStepLimit> System::step_limits() const
 
 double System::critical_time_step() const
 {
-  return stability::step_limit(world, bars, forces, contacts);
+  return stability::step_limit(world, bars, forces, contacts, loads.drag());
 }
 
 std::size_t System::memory_consumption() const

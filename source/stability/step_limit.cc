@@ -54,7 +54,8 @@ std::vector<TimeStepLimit> step_limits(const World             &world,
 double step_limit(const World             &world,
                   const Bars              &bars,
                   const ForceElements     &forces,
-                  const contact::Contacts &contacts)
+                  const contact::Contacts &contacts,
+                  const double             drag)
 {
   std::vector<Spring> springs;
   bars.add_springs(world, springs);
@@ -65,18 +66,20 @@ double step_limit(const World             &world,
 
   for (const ElasticGroup *group : world.groups.elastic())
     limit = std::min(limit, group->critical_time_step());
-  return closed_contact_time_step(world, contacts, limit);
+  limit = closed_contact_time_step(world, contacts, limit);
+  return drag > 0. ? 1. / (1. / limit + 0.5 * drag) : limit;
 }
 
 TimeStepChoice choose_time_step(const World             &world,
                                 const Bars              &bars,
                                 const ForceElements     &forces,
                                 const contact::Contacts &contacts,
+                                const double             drag,
                                 const parameters::Time  &time)
 {
   TimeStepChoice choice;
   choice.step_limits   = step_limits(world, bars, forces, contacts);
-  choice.limit         = step_limit(world, bars, forces, contacts);
+  choice.limit         = step_limit(world, bars, forces, contacts, drag);
   const double largest = time.safety_factor * choice.limit;
   if (time.step)
     {

@@ -258,7 +258,7 @@ int main(int argc, char **argv)
   const scene::Scene     scene = make_scene(false, true);
   const dynamics::System system(scene, false, MPI_COMM_SELF);
   const double           limit =
-      stability::step_limit(system.world, system.bars, system.forces, system.contacts);
+      stability::step_limit(system.world, system.bars, system.forces, system.contacts, 0.);
   if (with_numbers)
     std::cerr << "limit " << limit << " together " << limit_together(scene) << ", imbalance "
               << rubbed.imbalance << ' ' << coarse.imbalance << ' ' << fine.imbalance << ", stored "

@@ -184,7 +184,8 @@ void check_statics(const std::string &chain, const bool fine)
 
 /// It is bounded just below the limit of the step, also under four times the working load, which
 /// that is for; and not far above, where the fastest mode of the link alone is not. With slowed
-/// modes roller and link yield together, which the limit knows.
+/// modes roller and link yield together, which the limit knows. The drag by which the bodies come
+/// to rest lowers the limit by 1 %, as drag of rate d does by d dt / 4 to d dt / 2.
 void check_limit()
 {
   const auto share_of_limit = [](const double load, const bool slowed) {
@@ -205,8 +206,8 @@ void check_limit()
   for (const double load : {1412., 4. * 1412.})
     {
       const double share = share_of_limit(load, false);
-      verdict(std::to_string(int(load)) + " N: bounded at 0.98 of the limit, not at 1.1 of it",
-              share > 0.99 && share < 1.1);
+      verdict(std::to_string(int(load)) + " N: bounded at the limit of the step, not at 1.1 of it",
+              share > 1. && share < 1.1);
     }
   const double slowed = share_of_limit(4. * 1412., true);
   verdict("5648 N, slowed modes: bounded at the limit of the step, not at 1.2 of it",

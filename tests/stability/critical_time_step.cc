@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The printed critical time step against exact limits: a spring pair, a chain of bars, a bar with a
-// dashpot, a stiff bar beside a damped soft one, a rigid roller on a frictional surface; and runs
-// just below and just above it. With an argument: for so many steps.
+// dashpot, with drag, a stiff bar beside a damped soft one, a rigid roller on a frictional surface;
+// and runs just below and just above it. With an argument: for so many steps.
 #include "../support/scenes.h"
 
 using namespace test;
@@ -47,6 +47,16 @@ int main(int argc, char **argv)
           2. / w * (std::sqrt(1. + xi * xi) - xi));
     verdict("  bounded at 0.98", growth(scene, 0.98, 1e-6) < 20.);
     verdict("  blows up at 1.02", growth(scene, 1.02, 1e-6) > 1e6);
+
+    // without dashpot dt^2 w^2 + 2 drag dt = 4 is exact, and r times 2/w with this drag
+    const double r        = 0.9;
+    scene.bars[0].damping = 0.;
+    scene.loads.drag      = w * (1. - r * r) / r;
+    const double found    = dynamics::System(scene, false).critical_time_step() * w / 2.;
+    ratio("with drag, a bound", found, 1. / (1. + scene.loads.drag / w));
+    verdict("  bounded at 0.98 of the exact limit", growth(scene, 0.98 * r / found, 1e-6) < 20.);
+    verdict("  blows up at 1.02 of it", growth(scene, 1.02 * r / found, 1e-6) > 1e6);
+    verdict("  which is above the bound", found < r);
   }
   {
     const double       m = 0.0107, k = 3e8;

@@ -30,6 +30,7 @@ struct Time;
 /// |                            | (elastic_group.h)    | a bound, 0.3 % below                    |
 /// | contacts of nodes          | closed_contact.h     | bound for every split of a spring       |
 /// |                            |                      | (theory.md); up to 15 % below           |
+/// | drag                       | step_limit()         | bound, up to drag dt / 4 below: 1e-5    |
 /// | contacts of reduced bodies | coupled_modes.h      | estimate, from above: a search among    |
 /// |                            |                      | the ways in which contacts close        |
 ///
@@ -51,11 +52,16 @@ std::vector<TimeStepLimit> step_limits(const World             &world,
                                        const ForceElements     &forces,
                                        const contact::Contacts &contacts);
 
-/// The limit [s] of all of them together.
+/// The limit [s] of all of them together, of bodies with this @p drag [1/s].
+///
+/// Where 4 M - 2 s C - s^2 K is positive semidefinite, so is 4 M - 2 dt (C + drag M) - dt^2 K for
+/// dt = s / (1 + drag s / 2): with r = dt / s below 1, r^2 s^2 K + 2 r s C is at most 4 r M, and
+/// 4 r + 2 drag r s = 4.
 double step_limit(const World             &world,
                   const Bars              &bars,
                   const ForceElements     &forces,
-                  const contact::Contacts &contacts);
+                  const contact::Contacts &contacts,
+                  double                   drag);
 
 /// The chosen step and why.
 struct TimeStepChoice
@@ -66,12 +72,13 @@ struct TimeStepChoice
   std::string                reason;
 };
 
-/// The step of a run: the one asked for, if it does not exceed the safety factor times the limit
-/// (InputError otherwise, with both numbers); or, when none is asked for, the smaller of that
-/// product and a twelfth of the shortest period.
+/// The step of a run with this @p drag [1/s]: the one asked for, if it does not exceed the safety
+/// factor times the limit (InputError otherwise, with both numbers); or, when none is asked for,
+/// the smaller of that product and a twelfth of the shortest period.
 TimeStepChoice choose_time_step(const World             &world,
                                 const Bars              &bars,
                                 const ForceElements     &forces,
                                 const contact::Contacts &contacts,
+                                double                   drag,
                                 const parameters::Time  &time);
 } // namespace chaindrive::stability
