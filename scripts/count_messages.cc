@@ -89,6 +89,24 @@ extern "C"
   REFUSES(Send_init)
   REFUSES(Ssend_init)
 
+  int MPI_Sendrecv(const void  *give,
+                   int          n,
+                   MPI_Datatype type,
+                   int          rank,
+                   int          tag,
+                   void        *take,
+                   int          n_taken,
+                   MPI_Datatype taken,
+                   int          from,
+                   int          tag_of_taken,
+                   MPI_Comm     comm,
+                   MPI_Status  *status)
+  {
+    to(rank, comm).add(n, type);
+    return PMPI_Sendrecv(
+        give, n, type, rank, tag, take, n_taken, taken, from, tag_of_taken, comm, status);
+  }
+
   int MPI_Allreduce(
       const void *give, void *take, int n, MPI_Datatype type, MPI_Op operation, MPI_Comm comm)
   {

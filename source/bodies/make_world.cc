@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/chain_shares.h>
 #include <chaindrive/bodies/elastic_rim.h>
 #include <chaindrive/bodies/hubs.h>
 #include <chaindrive/bodies/make_world.h>
@@ -11,7 +12,6 @@
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/ranks.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
@@ -22,60 +22,6 @@ namespace chaindrive
 {
 namespace
 {
-/// The @p bodies in such an order that the copies of a batch are neighbours along the chain: they
-/// touch others at about the same nodes. Neighbours are distributed over @p n_in_turn batches in
-/// turn: two of rollers then belong to one of links, with the first and with the second bush.
-std::vector<unsigned int> neighbours_in_batches(const std::vector<unsigned int> &bodies,
-                                                const unsigned int               n_in_turn)
-{
-  const unsigned int        n_batches = BodyBatches::n_batches_of(bodies.size());
-  std::vector<unsigned int> copies(bodies.size());
-  auto                      next = bodies.begin();
-  for (unsigned int first = 0; first < n_batches; first += n_in_turn)
-    for (unsigned int lane = 0; lane < n_lanes; ++lane)
-      for (unsigned int batch = first; batch < std::min(first + n_in_turn, n_batches); ++batch)
-        if (const unsigned int copy = lane * n_batches + batch; copy < copies.size())
-          copies[copy] = *next++;
-  return copies;
-}
-
-/// @p bodies in pieces of the chain of @p length bodies, distributed over the ranks in turn: what
-/// touches teeth, which costs more, is then spread over them. The last piece may be shorter, and
-/// stays last.
-std::vector<unsigned int> in_pieces(const std::vector<unsigned int> &bodies,
-                                    const std::size_t                length,
-                                    const unsigned int               n_ranks)
-{
-  const std::size_t         n_pieces = (bodies.size() + length - 1) / length;
-  std::vector<unsigned int> order;
-  const auto                take_piece = [&](const std::size_t piece) {
-    for (std::size_t i = piece * length; i < std::min((piece + 1) * length, bodies.size()); ++i)
-      order.push_back(bodies[i]);
-  };
-  for (unsigned int rank = 0; rank < n_ranks; ++rank)
-    for (std::size_t piece = rank; piece + 1 < n_pieces; piece += n_ranks)
-      take_piece(piece);
-  if (n_pieces > 0)
-    take_piece(n_pieces - 1);
-  return order;
-}
-
-/// @p bodies of a part, rank by rank: those in joints with bores of another rank's bodies, by
-/// @p is_shared, come last of each, since a batch with one of them is shared.
-std::vector<unsigned int> by_rank(const std::vector<unsigned int> &bodies,
-                                  const std::vector<unsigned int> &rank_of,
-                                  const std::vector<char>         &is_shared,
-                                  const unsigned int               n_ranks)
-{
-  std::vector<unsigned int> order;
-  for (unsigned int rank = 0; rank < n_ranks; ++rank)
-    for (const bool shared : {false, true})
-      for (const unsigned int body : bodies)
-        if (rank_of[body] == rank && (is_shared[body] != 0) == shared)
-          order.push_back(body);
-  return order;
-}
-
 /// Makes the copies of elastic @p bodies of a part, and returns their number in World::copies.
 unsigned int add_copies(const scene::Scene              &scene,
                         const scene::PartOf             &of,
@@ -138,33 +84,11 @@ void add_elastic_bodies(const scene::Scene &scene, const Partition &partitioned,
 
 void add_reduced_bodies(const scene::Scene &scene, const Partition &partitioned, World &world)
 {
-  constexpr scene::Motion reduced  = scene::Motion::reduced;
-  const unsigned int      n_ranks  = n_ranks_in(world.communicator());
-  const auto              of_parts = bodies_that_move(scene, reduced);
-
-  std::vector<unsigned int> rank_of(scene.bodies.size(), n_ranks); // none
-  std::vector<char>         is_shared(scene.bodies.size(), 0);
-  if (!partitioned.rank_of_piece.empty())
+  const auto shares = share_chain(scene, partitioned, n_ranks_in(world.communicator()));
+  for (const auto &[of, share] : shares)
     {
-      for (const auto &[of, bodies] : of_parts)
-        for (unsigned int i = 0; i < bodies.size(); ++i)
-          rank_of[bodies[i]] = partitioned.rank_of_piece[i / (batches_in_turn(of) * n_lanes / 2)];
-      for (const scene::BoreFamily &bores : scene.bores)
-        for (const scene::BorePair &pair : bores.pairs)
-          if (rank_of[pair.master] < n_ranks && rank_of[pair.slave.body] != rank_of[pair.master])
-            is_shared[pair.slave.body] = 1;
-    }
-  for (const auto &[of, bodies] : of_parts)
-    {
-      const unsigned int in_turn  = batches_in_turn(of);
-      const auto         in_order = partitioned.rank_of_piece.empty() ?
-                                        in_pieces(bodies, in_turn * n_lanes, n_ranks) :
-                                        by_rank(bodies, rank_of, is_shared, n_ranks);
-      const unsigned int group    = add_copies(scene,
-                                            of,
-                                            neighbours_in_batches(in_order, in_turn),
-                                            partitioned.first_batch.at({reduced, of}),
-                                            world);
+      const unsigned int group = add_copies(scene, of, share.bodies, share.first_batch, world);
+      world.copies.back().joint_ranks = share.joint_ranks;
       world.copies.back().count_readers();
       world.groups.add(std::make_unique<ReducedBodies>(scene, world, group));
     }

@@ -5,7 +5,6 @@
 #include <chaindrive/reduction/basis.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace chaindrive
 {
@@ -25,28 +24,6 @@ constexpr double elements_per_joint = 170.;
 
 /// What the nodes of sides that touch cost a reduced body per mode, in elements.
 constexpr double elements_per_mode = 2.;
-
-/// What the first rank spends on observing the run and writing results, over what reduced bodies
-/// and their joints cost all ranks: 0.04 in reduced-half and 0.02 in reduced without penalty, with
-/// a sample every 5 us and fields every millisecond (doc/performance.md).
-constexpr double observing_share = 0.03;
-
-/// The number of units that @p bodies of reduced parts are, whole batches of all of them; 0: they
-/// are not as many of all parts.
-unsigned int units_of(const std::map<scene::PartOf, std::vector<unsigned int>> &bodies,
-                      unsigned int                                              per_unit)
-{
-  unsigned int units = 0;
-  for (const auto &[of, of_part] : bodies)
-    {
-      const std::size_t  length = std::size_t(batches_in_turn(of)) * per_unit;
-      const unsigned int n      = static_cast<unsigned int>((of_part.size() + length - 1) / length);
-      if (units != 0 && n != units)
-        return 0;
-      units = n;
-    }
-  return units;
-}
 
 /// Distributes the batches of each group over @p n_ranks ranks in turn: equal shares, and what does
 /// not go up to those that have least so far, the last of them, since the first rank has results to
@@ -93,46 +70,6 @@ std::map<scene::PartOf, std::vector<unsigned int>> bodies_that_move(const scene:
   return found;
 }
 
-std::vector<unsigned int> spread_pieces(const unsigned int n_pieces,
-                                        const unsigned int n_units,
-                                        const unsigned int n_ranks,
-                                        const double       observing)
-{
-  std::vector<double> load(n_ranks, 0.);
-  load.front() = observing;
-  std::vector<unsigned int> wanted(n_ranks, 0); // pieces
-  for (unsigned int unit = 0; unit < n_units; ++unit)
-    {
-      // the last rank, which has the last piece, comes first
-      const auto least = std::min_element(load.rbegin(), load.rend());
-      *least += 1.;
-      wanted[load.rend() - least - 1] += 2;
-    }
-  wanted.back() -= 2 * n_units - n_pieces;
-
-  // the first piece is the first rank's, since the last one, beside it, is another's
-  std::vector<unsigned int> given(n_ranks, 0), ranks;
-  for (unsigned int piece = 0; piece < n_pieces; ++piece)
-    {
-      unsigned int next = piece + 1 < n_pieces && wanted.front() > 0 ? 0 : n_ranks - 1;
-      double       most = -std::numeric_limits<double>::max();
-      for (unsigned int rank = n_ranks; 0 < piece && piece + 1 < n_pieces && rank-- > 0;)
-        {
-          // who is farthest behind its share so far
-          const unsigned int kept   = rank + 1 == n_ranks ? 1 : 0; // the last piece
-          const double       behind = wanted[rank] * (piece + 1.) / n_pieces - given[rank];
-          if (given[rank] + kept < wanted[rank] && behind > most)
-            {
-              most = behind;
-              next = rank;
-            }
-        }
-      ++given[next];
-      ranks.push_back(next);
-    }
-  return ranks;
-}
-
 Partition partition(const scene::Scene &scene, const unsigned int n_ranks)
 {
   using Kind = std::pair<scene::Motion, scene::PartOf>;
@@ -168,26 +105,6 @@ Partition partition(const scene::Scene &scene, const unsigned int n_ranks)
   auto      first_batch = first_batches.begin();
   for (const auto &entry : n_bodies)
     result.first_batch[entry.first] = *first_batch++;
-
-  const auto         reduced  = bodies_that_move(scene, scene::Motion::reduced);
-  const unsigned int n_units  = units_of(reduced, n_lanes),
-                     n_pieces = units_of(reduced, n_lanes / 2);
-  if (n_ranks == 1 || n_units < n_ranks || n_pieces == 0)
-    return result;
-  result.rank_of_piece = spread_pieces(n_pieces, n_units, n_ranks, observing_share * n_units);
-  for (const auto &[of, bodies] : reduced)
-    {
-      const unsigned int        n_batches = BodyBatches::n_batches_of(bodies.size());
-      std::vector<unsigned int> first     = {0};
-      for (unsigned int rank = 0; rank + 1 < n_ranks; ++rank)
-        first.push_back(
-            first.back() +
-            static_cast<unsigned int>(
-                batches_in_turn(of) *
-                std::count(result.rank_of_piece.begin(), result.rank_of_piece.end(), rank) / 2));
-      first.push_back(n_batches);
-      result.first_batch[{scene::Motion::reduced, of}] = first;
-    }
   return result;
 }
 } // namespace chaindrive

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/scene/scene.h>
+#include <chaindrive/utilities/message_tags.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/timing.h>
 
@@ -258,7 +259,32 @@ void World::sum_over_ranks(const std::initializer_list<Summands> others)
     for (std::size_t i = 0; i < n; ++i)
       shared_[before + i] = share * first[i];
   });
-  if (n_ranks_ > 1)
+  if (n_ranks_ == 2)
+    {
+      // One exchange; MPI's own sum makes two of messages as long as this one.
+      const std::size_t n     = shared_.size();
+      const int         other = rank_ == 0 ? 1 : 0;
+      shared_.resize(2 * n);
+      {
+        const Waiting waiting;
+        const int     status = MPI_Sendrecv(shared_.data(),
+                                        int(n),
+                                        MPI_DOUBLE,
+                                        other,
+                                        tag_sum,
+                                        shared_.data() + n,
+                                        int(n),
+                                        MPI_DOUBLE,
+                                        other,
+                                        tag_sum,
+                                        comm_,
+                                        MPI_STATUS_IGNORE);
+        AssertThrowMPI(status);
+      }
+      for (std::size_t i = 0; i < n; ++i)
+        shared_[i] += shared_[n + i];
+    }
+  else if (n_ranks_ > 2)
     {
       const Waiting waiting;
       const int     status = MPI_Allreduce(

@@ -75,12 +75,16 @@ std::vector<unsigned int> NodeBores::owners_of(const scene::BoreFamily &scene, c
   std::vector<unsigned int> owner(scene.pairs.size()), load(n_ranks_in(world.communicator()), 0);
   for (const auto &[sides, pairs] : kinds_of(scene, world))
     {
-      const BodyBatches &masters = world.copies[std::get<0>(sides)],
-                        &slaves  = world.copies[std::get<2>(sides)];
+      const BodyBatches &masters          = world.copies[std::get<0>(sides)],
+                        &slaves           = world.copies[std::get<2>(sides)];
+      const bool                at_second = std::get<1>(sides) == mesh::bush_bore_second;
       std::vector<unsigned int> by_bore, by_cylinder;
       for (const unsigned int i : pairs)
         {
-          by_bore.push_back(masters.owner_of(world.node_address[scene.pairs[i].master].copy));
+          const unsigned int master = world.node_address[scene.pairs[i].master].copy;
+          by_bore.push_back(masters.joint_ranks.empty() ?
+                                masters.owner_of(master) :
+                                masters.joint_ranks[master][at_second ? 1 : 0]);
           by_cylinder.push_back(
               slaves.owner_of(world.node_address[scene.pairs[i].slave.body].copy));
         }
@@ -94,7 +98,8 @@ std::vector<unsigned int> NodeBores::owners_of(const scene::BoreFamily &scene, c
         const std::vector<unsigned int> sum = with(owners);
         return *std::max_element(sum.begin(), sum.end());
       };
-      const bool                       either = masters.counts_readers() && slaves.counts_readers();
+      const bool either =
+          masters.counts_readers() && slaves.counts_readers() && masters.joint_ranks.empty();
       const std::vector<unsigned int> &owners =
           either && most(by_cylinder) < most(by_bore) ? by_cylinder : by_bore;
       load = with(owners);

@@ -10,11 +10,15 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
 namespace chaindrive
 {
+/// The ranks that evaluate the joints at the first and at the second end of a link.
+using JointRanks = std::array<unsigned int, 2>;
+
 /// The state of all elastic bodies of one part. n_lanes copies lie side by side in a batch, in
 /// deal.II's distributed vectors numbered [batch][node][component][lane]; lanes without a body hold
 /// a copy of the first body at rest, which nothing touches.
@@ -197,6 +201,10 @@ public:
   std::vector<std::vector<unsigned int>> plate_columns; ///< of nodes, that stay; empty: none
 
   std::vector<Frame> start; ///< per copy, its placement at the start
+
+  /// Per copy of reduced bodies, of joints with bores of these; empty: the owner does. Of a roller
+  /// both are the same.
+  std::vector<JointRanks> joint_ranks;
 
   Vector position; ///< world axes, m; see ElasticBodies for the instants
   Vector velocity; ///< m/s

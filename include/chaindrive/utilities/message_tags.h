@@ -7,7 +7,8 @@ namespace chaindrive
 /// kinds may be on their way at once.
 enum MessageTag : int
 {
-  tag_contact_records = 1,
+  tag_sum = 1, ///< of two ranks, at every step
+  tag_contact_records,
   tag_checkpoint,
   tag_node_positions, ///< and velocities
   tag_node_forces,
