@@ -38,7 +38,7 @@ void Contact::declare(Declarations &declarations)
       between(0., 1.),
       "Damping of a contact over the critical damping of its two bodies on its spring; it acts "
       "while they touch. With 0 a roller bounces 5 to 8 times when it meets a tooth, with 0.1 "
-      "three to four times.");
+      "three to four times. On rollers that become ovals (Effects/Oval rollers) it counts half.");
   add(declarations,
       "Friction coefficient",
       friction_coefficient,

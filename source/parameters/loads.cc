@@ -103,7 +103,8 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
       oval_rollers,
       "Rigid rollers of layered fidelity become ovals where tooth and bush do not press them from "
       "both sides of their wall at the same place: a mass and a spring for each of the two modes "
-      "of the ring with two waves, as large as dimensions make them. It needs planar motion. "
+      "of the ring with two waves, as large as dimensions make them. What the ring carries is not "
+      "lost: Contact/Damping ratio counts half where they touch. It needs planar motion. "
       "auto: off. on: what doc/accuracy-and-cost.md says of it.");
   effect(
       "Stiffness curves",

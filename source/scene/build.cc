@@ -101,11 +101,6 @@ ContactLaw in_series(const ContactLaw &law, const double modulus)
           law.tangential_damping * std::sqrt(softer)};
 }
 
-double felt_mass_of_roller(const Scene &scene, const double mass)
-{
-  return scene.oval ? mass * scene.oval->mass / (mass + scene.oval->mass) : mass;
-}
-
 Scene build_scene(const model::Model             &model,
                   const drive::Drive             &drive,
                   const std::vector<std::string> &folders,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/placement.h>
+#include <chaindrive/scene/roller_laws.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
@@ -42,18 +43,15 @@ void add_rigid_joints(const model::Model &model, const drive::Drive &drive, Scen
   const DriveView              &view       = scene.drive;
   const double                  inner_mass = scene.bodies[view.links[0]].mass,
                outer_mass                  = scene.bodies[view.links[1]].mass,
-               roller_mass    = felt_mass_of_roller(scene, scene.bodies[view.rollers[0]].mass);
-  const double bush_stiffness = model.roller_bush_stiffness.value;
+               roller_mass                 = scene.bodies[view.rollers[0]].mass;
+  const double bush_stiffness              = model.roller_bush_stiffness.value;
   // One bush-pin joint per pitch lies in the path of the tension; with rigid links it alone gives
   // the chain its stiffness, so plates and joint contact in series are put there.
   const double pin_stiffness = model.stiffness_per_pitch;
 
   BoreFamily rollers = bores_of(Interface::roller_bush), pins = bores_of(Interface::bush_pin);
   if (chain.has_rollers)
-    rollers.law = make_law(model.contact,
-                           bush_stiffness,
-                           reduced_mass(roller_mass, inner_mass),
-                           model.contact.roller_bush_friction)
+    rollers.law = make_bush_law(model.contact, bush_stiffness, roller_mass, inner_mass, scene.oval)
                       .shared_by(2);
   if (model.effects.is_on(Effect::stiffness_curves))
     {

@@ -7,6 +7,7 @@
 #include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/scene/placement.h>
+#include <chaindrive/scene/roller_laws.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
@@ -303,7 +304,7 @@ ToothFamily with_rigid_rollers(const model::Model &model,
           std::vector<double>{0.} :
           axial_positions(std::min(drive.chain.roller_length, 2. * flanks.half_width), scene.half);
   ToothFamily teeth = flanks;
-  teeth.law = make_law(model.contact, stiffness, felt_mass_of_roller(scene, roller.mass), friction)
+  teeth.law         = make_tooth_law(model.contact, stiffness, roller.mass, friction, scene.oval)
                   .shared_by(roller.motion == Motion::lumped ? 1 : 2);
   if (model.effects.is_on(Effect::stiffness_curves) && sprocket < drive.curves.roller_tooth.size())
     teeth.curve = drive.curves.roller_tooth[sprocket];

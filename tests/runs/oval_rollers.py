@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""oval_rollers.py PROGRAM: runs whose rollers become ovals. Restart is bit by bit, two ranks agree to round-off, energy balances, the
-step is shorter, results differ from those of round rollers; simple, elastic, spatial models and bush chains refuse them. In an empty
+"""oval_rollers.py PROGRAM: runs whose rollers become ovals. Restart is bit by bit, two ranks agree to round-off, energy balances,
+the step is shorter, results differ from those of round rollers; simple, elastic, spatial models and bush chains refuse them. In an empty
 folder."""
 import re
 import subprocess
@@ -27,8 +27,10 @@ def main():
     ovals, whole = run(DRIVE, PROGRAM, "oval", OVAL)
     steps = [re.search(r"all coupled ([\d.]+)", open(f"{name}/log.txt", encoding="utf-8").read())[1] for name in ("round", "oval")]
     check(0.6 < float(steps[1]) / float(steps[0]) < 0.99, f"critical steps {steps}")
-    lost = [summary["energy_imbalance_max"] for summary in (before, whole)]
-    check(lost[1] < 1.5 * lost[0], f"energy imbalance {lost}")
+    # contacts with half of the damping vibrate longer, so more is turned over at their frequency; the error is that of the step
+    _, fine = run({**DRIVE, "Time/Time step in us": 0.15}, PROGRAM, "fine", OVAL)
+    lost = [summary["energy_imbalance_max"] for summary in (before, whole, fine)]
+    check(lost[1] < 4 * lost[0] and lost[2] < 1.5 * lost[0], f"energy imbalance {lost}")
     check(difference(ovals, round_ones, ["spans/tight_tension"]) > 1e-4, "ovals change nothing")
 
     run({**DRIVE, "Time/End time in ms": 1.1}, PROGRAM, "again", OVAL)

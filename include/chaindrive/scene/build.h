@@ -193,8 +193,4 @@ std::shared_ptr<const mesh::Part> make_sprocket_part(const model::Meshes &,
 /// A penalty law for an interface of stiffness @p k [N/m] and this coefficient of @p friction
 /// between bodies whose reduced mass is @p mass [kg]: damping and tangential terms from @p contact.
 ContactLaw make_law(const model::Contact &contact, double k, double mass, double friction);
-
-/// The mass of a rigid roller of @p mass [kg] that what touches it feels at once: where it becomes
-/// an oval, with the mass of that in series.
-double felt_mass_of_roller(const Scene &scene, double mass);
 } // namespace chaindrive::scene
