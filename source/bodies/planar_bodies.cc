@@ -14,7 +14,8 @@ namespace chaindrive
 {
 namespace
 {
-/// The order of slots: bodies of one kind by number, rollers in two rows where there are links.
+/// The order of slots: rows of bodies of one kind by number, rollers in two rows where there are
+/// links.
 std::array<unsigned int, 3> place_in_order(const scene::Body &body, const bool two_rows)
 {
   const bool         in_rows = two_rows && body.kind == scene::Kind::roller;
@@ -47,10 +48,18 @@ PlanarBodies::PlanarBodies(const scene::Scene &scene, const World &world)
   std::stable_sort(bodies_.begin(), bodies_.end(), [&](const unsigned int a, const unsigned int b) {
     return place_in_order(scene.bodies[a], two_rows) < place_in_order(scene.bodies[b], two_rows);
   });
-  for (unsigned int i = 0; i < bodies_.size(); ++i)
-    slot_of_[bodies_[i]] = i;
+  unsigned int                n_taken = 0;
+  std::array<unsigned int, 3> last{};
+  for (const unsigned int b : bodies_)
+    {
+      const std::array<unsigned int, 3> place = place_in_order(scene.bodies[b], two_rows);
+      if (place[0] != last[0] || place[1] != last[1]) // rows begin where memory is aligned
+        n_taken = n_computed_of(n_taken);
+      slot_of_[b] = n_taken++;
+      last        = place;
+    }
   // a run of pairs is read to a multiple of n_lanes, wherever it begins
-  n_slots_ = n_computed_of(bodies_.size()) + n_lanes;
+  n_slots_ = n_computed_of(n_taken) + n_lanes;
   state_.resize((oval_ ? n_planar_entries_of_ovals : n_planar_entries) * n_slots_, 0.);
 
   for (const unsigned int b : bodies_)
@@ -92,14 +101,32 @@ PlanarBodies::PlanarBodies(const scene::Scene &scene, const World &world)
 
 void PlanarBodies::kick(World & /*world*/, const double h)
 {
-  kernels_.kick(slots(), h);
+  kinetic_energy_.reset();
+  if (others_act_)
+    kernels_.kick(slots(), h);
+  else if (has_moved_)
+    kinetic_energy_ = kernels_.kick(slots(), h);
+  else
+    waits_ += h;
+  has_moved_ = false;
   if (oval_)
     kernels_.kick_ovals(slots(), h);
 }
 
-void PlanarBodies::drift(World & /*world*/, const Step &step)
+void PlanarBodies::drift(World &world, const Step &step)
 {
-  fastest_square_ = kernels_.drift(slots(), step.dt);
+  PlanarLoads loads{0., 0., 0., 0.};
+  if (world.is_first_rank()) // which does so for all
+    {
+      loads.gravity = step.gravity;
+      loads.drag    = step.drag;
+    }
+  fastest_square_ = kernels_.advance(slots(), waits_, step.dt, loads);
+  loads_          = loads;
+  begun_          = true;
+  has_moved_      = true;
+  waits_          = 0.;
+  kinetic_energy_.reset();
   travelled_ += step.dt * std::sqrt(fastest_square_);
   if (oval_)
     kernels_.drift_ovals(slots(), step.dt);
@@ -116,11 +143,11 @@ void PlanarBodies::update(World &world)
   if (!others_act_)
     write_forces(world);
   double *u = world.displacement.begin(), *v = world.velocity.begin();
-  for (unsigned int i = 0; i < bodies_.size(); ++i)
+  for (const unsigned int b : bodies_)
     for (unsigned int d = 0; d < 2; ++d)
       {
-        u[3 * bodies_[i] + d] = of(planar_displacement + d)[i];
-        v[3 * bodies_[i] + d] = of(planar_velocity + d)[i];
+        u[3 * b + d] = of(planar_displacement + d)[slot_of_[b]];
+        v[3 * b + d] = of(planar_velocity + d)[slot_of_[b]];
       }
   for (World::Rotation &rotation : world.rotations)
     rotation.momentum[2] =
@@ -131,9 +158,10 @@ void PlanarBodies::update(World &world)
 
 void PlanarBodies::publish(World &world) const
 {
-  for (unsigned int i = 0; i < bodies_.size(); ++i)
+  for (const unsigned int b : bodies_)
     {
-      Frame &frame = world.frames[bodies_[i]];
+      const unsigned int i     = slot_of_[b];
+      Frame             &frame = world.frames[b];
       for (unsigned int d = 0; d < 2; ++d)
         {
           frame.position[d] = of(planar_position + d)[i];
@@ -150,13 +178,30 @@ void PlanarBodies::publish(World &world) const
 
 double PlanarBodies::kinetic_energy(const World & /*world*/) const
 {
-  return kernels_.kinetic_energy(slots()) +
+  return (kinetic_energy_ ? *kinetic_energy_ : kernels_.kinetic_energy(slots())) +
          (oval_ ? kernels_.kinetic_energy_of_ovals(slots()) : 0.);
+}
+
+PlanarLoads PlanarBodies::add_loads(const double gravity, const double drag)
+{
+  PlanarLoads loads{gravity, drag, 0., 0.};
+  if (loads_)
+    loads = *loads_;
+  else
+    kernels_.load(slots(), loads);
+  loads_.reset();
+  return loads;
 }
 
 void PlanarBodies::clear_forces()
 {
-  std::fill_n(of(planar_force), 3 * n_slots_, 0.);
+  if (!begun_)
+    {
+      std::fill_n(of(planar_force), 2 * n_slots_, 0.);
+      std::fill_n(of(planar_moment), n_slots_, 0.);
+      loads_.reset();
+    }
+  begun_ = false;
   if (oval_)
     std::fill_n(of(planar_ring_force), 2 * n_slots_, 0.);
 }
@@ -171,9 +216,9 @@ dealii::ArrayView<double> PlanarBodies::forces_on_ovals()
 void PlanarBodies::complete_forces(World &world)
 {
   double *force = world.force.begin(), *moment = world.moment.begin();
-  for (unsigned int i = 0; i < bodies_.size(); ++i)
+  for (const unsigned int b : bodies_)
     {
-      const unsigned int b = bodies_[i];
+      const unsigned int i = slot_of_[b];
       for (unsigned int d = 0; d < 2; ++d)
         force[3 * b + d] = of(planar_force + d)[i] += force[3 * b + d];
       moment[3 * b + 2] = of(planar_moment)[i] += moment[3 * b + 2];
@@ -183,9 +228,9 @@ void PlanarBodies::complete_forces(World &world)
 void PlanarBodies::write_forces(World &world) const
 {
   double *force = world.force.begin(), *moment = world.moment.begin();
-  for (unsigned int i = 0; i < bodies_.size(); ++i)
+  for (const unsigned int b : bodies_)
     {
-      const unsigned int b = bodies_[i];
+      const unsigned int i = slot_of_[b];
       for (unsigned int d = 0; d < 2; ++d)
         force[3 * b + d] = of(planar_force + d)[i];
       moment[3 * b + 2] = of(planar_moment)[i];
@@ -195,9 +240,9 @@ void PlanarBodies::write_forces(World &world) const
 void PlanarBodies::take_forces(const World &world)
 {
   const double *force = world.force.begin(), *moment = world.moment.begin();
-  for (unsigned int i = 0; i < bodies_.size(); ++i)
+  for (const unsigned int b : bodies_)
     {
-      const unsigned int b = bodies_[i];
+      const unsigned int i = slot_of_[b];
       for (unsigned int d = 0; d < 2; ++d)
         of(planar_force + d)[i] = force[3 * b + d];
       of(planar_moment)[i] = moment[3 * b + 2];
@@ -210,7 +255,9 @@ void PlanarBodies::serialize(const Archive &archive, World & /*world*/)
   if (!archive.reads())
     return;
   is_behind_ = false; // World was written with it
-  travelled_ += 1e3;  // bodies are somewhere else now, nearer than that
+  has_moved_ = begun_ = false;
+  kinetic_energy_.reset();
+  travelled_ += 1e3; // bodies are somewhere else now, nearer than that
 }
 
 std::size_t PlanarBodies::memory_consumption() const

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace chaindrive::contact
@@ -15,15 +16,6 @@ namespace
 {
 /// What a place without a contact has for room, m: it never touches. Of a roller its radius.
 constexpr double no_room = 1e100;
-
-/// Whether one of n_lanes numbers is.
-bool any_below_zero(const double *numbers)
-{
-  unsigned int n = 0;
-  for (unsigned int lane = 0; lane < n_lanes; ++lane)
-    n += static_cast<unsigned int>(numbers[lane] < 0.);
-  return n > 0;
-}
 
 /// The number of pairs of each contact, of which the pair after pair i belongs to the same one if
 /// @p same(i); 0 if there are more in one than in another.
@@ -114,6 +106,13 @@ void PlanarContact::make_places(std::vector<unsigned int> first, const std::vect
         joint_[place] = records_[first_pair_[place]].joint;
         slave_[place] = records_[first_pair_[place]].slave;
       }
+  in_order_.clear();
+  for (unsigned int place = 0; place < n_places(); ++place)
+    if (first_pair_[place] != none)
+      in_order_.push_back(place);
+  std::sort(in_order_.begin(), in_order_.end(), [this](const unsigned int a, const unsigned int b) {
+    return first_pair_[a] < first_pair_[b];
+  });
   presses_are_known_ = false;
   take_states();
 }
@@ -251,39 +250,34 @@ const std::vector<SurfaceContact::Press> &PlanarContact::presses() const
                *tangentials = of(planar_touch_tangential), *xs = of(planar_touch_direction),
                *ys             = of(planar_touch_direction + 1);
   const unsigned int *features = this->features();
-  presses_.reserve(n_places());
-  for (unsigned int first = 0; first < n_places(); first += n_lanes)
-    for (unsigned int place = any_below_zero(gap + first) ? first : first + n_lanes;
-         place < first + n_lanes;
-         ++place)
-      if (gap[place] < 0. && first_pair_[place] != none)
-        {
-          const double normal = share * normals[place], tangential = share * tangentials[place];
-          const double x = xs[place], y = ys[place];
-          Press        press{slave_[place],
-                      joint_[place],
-                      features != nullptr ? features[place] : 0,
-                      multiplicity_,
-                      0.,
-                      gap[place],
-                      {},
-                      {}};
-          press.force[0]     = normal * x - tangential * y;
-          press.force[1]     = normal * y + tangential * x;
-          press.direction[0] = x;
-          press.direction[1] = y;
-          press.normal       = press.force * press.direction;
-          presses_.push_back(press);
-        }
+  for (const unsigned int place : in_order_)
+    if (gap[place] < 0.)
+      {
+        const double normal = share * normals[place], tangential = share * tangentials[place];
+        const double x = xs[place], y = ys[place];
+        Press        press{slave_[place],
+                    joint_[place],
+                    features != nullptr ? features[place] : 0,
+                    multiplicity_,
+                    0.,
+                    gap[place],
+                    {},
+                    {}};
+        press.force[0]     = normal * x - tangential * y;
+        press.force[1]     = normal * y + tangential * x;
+        press.direction[0] = x;
+        press.direction[1] = y;
+        press.normal       = press.force * press.direction;
+        presses_.push_back(press);
+      }
   return presses_;
 }
 
-PlanarContacts PlanarContact::arguments(const double radius, const double dt)
+PlanarContacts PlanarContact::arguments(const double dt)
 {
   return {touch_.begin(),
           n_places(),
           law_.times(multiplicity_),
-          radius,
           dt,
           oval_,
           curve_ ? &*curve_ : nullptr};
@@ -344,7 +338,7 @@ PlanarBores::PlanarBores(const scene::BoreFamily &family, const World &world)
         room.push_back(no_room);
       }
     if (!runs_.empty())
-      runs_.back().run.n = static_cast<unsigned int>(first.size()) - runs_.back().run.first_place;
+      runs_.back().n = static_cast<unsigned int>(first.size()) - runs_.back().first_place;
   };
   for (const unsigned int i : contacts)
     {
@@ -353,12 +347,12 @@ PlanarBores::PlanarBores(const scene::BoreFamily &family, const World &world)
         {
           fill();
           const auto [master, slave] = slots(i);
-          runs_.push_back({{static_cast<unsigned int>(first.size()),
-                            master,
-                            slave,
-                            0,
-                            {pair.axis[0], pair.axis[1]},
-                            {pair.slave.point[0], pair.slave.point[1]}},
+          runs_.push_back({static_cast<unsigned int>(first.size()),
+                           master,
+                           slave,
+                           0,
+                           {pair.axis[0], pair.axis[1]},
+                           {pair.slave.point[0], pair.slave.point[1]},
                            pair.slave.radius});
         }
       first.push_back(i);
@@ -373,8 +367,11 @@ PlanarBores::PlanarBores(const scene::BoreFamily &family, const World &world)
 void PlanarBores::add_forces(World &world, const double dt)
 {
   PlanarEnergies energies{};
-  for (const Run &run : runs_)
-    kernels_.press_bores(world.planar->slots(), arguments(run.radius, dt), run.run, energies);
+  kernels_.press_bores(world.planar->slots(),
+                       arguments(dt),
+                       runs_.data(),
+                       static_cast<unsigned int>(runs_.size()),
+                       energies);
   book(energies, world);
   forces_are_new();
 }
@@ -458,44 +455,75 @@ void PlanarFlanks::serialize(const Archive &archive, const unsigned int rank)
 
 void PlanarFlanks::place_near()
 {
-  std::vector<unsigned int> first = contacts_among(near());
-  std::vector<double>       room(first.size(), pairs_.front().slave.radius);
-  first.resize(n_computed_of(first.size()), none);
-  room.resize(first.size(), -no_room);
-  slot_.assign(first.size(), 0);
+  // places side by side have rollers side by side, in slots; those between them are idle
+  const std::vector<unsigned int>      contacts = contacts_among(near());
+  std::map<unsigned int, unsigned int> in_slot;
+  for (const unsigned int i : contacts)
+    in_slot[bodies_.slot_of(records_[i].slave)] = i;
+  std::vector<unsigned int> first;
+  slot_.clear();
+  for (const auto &[slot, i] : in_slot)
+    {
+      if (slot_.empty() || slot >= slot_.back() + n_lanes)
+        {
+          slot_.push_back(slot);
+          first.resize(first.size() + n_lanes, none);
+        }
+      first[first.size() - n_lanes + slot - slot_.back()] = i;
+    }
+
+  std::vector<double> room(first.size(), -no_room);
   gap_.assign(first.size(), 0);
   known_.resize_fast(n_known_nearest * first.size());
-  std::fill(known_.begin(), known_.end(), -1.); // nothing
-  for (std::size_t place = 0; place < first.size(); ++place)
-    if (first[place] != none)
-      slot_[place] = bodies_.slot_of(records_[first[place]].slave);
-    else
-      slot_[place] = slot_[place - 1];
+  std::fill(known_.begin(), known_.end(), 0.);
+  const PlanarTeeth teeth = arguments_of_teeth();
+  for (unsigned int place = 0; place < first.size(); ++place)
+    {
+      const bool is_there = first[place] != none;
+      if (is_there)
+        {
+          room[place] = pairs_.front().slave.radius;
+          enter_gap(teeth, place, 0);
+        }
+      known_of(teeth, place)[known_room * n_lanes] = is_there ? -1. : no_room; // nothing, anything
+    }
   make_places(std::move(first), room);
+}
+
+PlanarTeeth PlanarFlanks::arguments_of_teeth()
+{
+  return {segments_.data(),
+          static_cast<unsigned int>(segments_.size()),
+          static_cast<unsigned int>(turns_.size() / 2),
+          turns_.data(),
+          shifted_.empty() ? nullptr : shifted_.data(),
+          static_cast<unsigned int>(gap_.size()),
+          slot_.data(),
+          gap_.data(),
+          known_.begin(),
+          pairs_.front().slave.radius,
+          {},
+          {},
+          {},
+          0.,
+          {},
+          0.};
 }
 
 void PlanarFlanks::add_forces(World &world, const double dt)
 {
-  const unsigned int body = master();
-  const Frame       &hub  = world.frames[body];
-  PlanarTeeth        teeth{segments_.data(),
-                    static_cast<unsigned int>(segments_.size()),
-                    static_cast<unsigned int>(turns_.size() / 2),
-                    turns_.data(),
-                    shifted_.empty() ? nullptr : shifted_.data(),
-                    static_cast<unsigned int>(slot_.size()),
-                    slot_.data(),
-                    gap_.data(),
-                    known_.begin(),
-                    {hub.position[0], hub.position[1]},
-                    {hub.velocity[0], hub.velocity[1]},
-                    {hub.rotation[0][0], hub.rotation[1][0]},
-                    hub.angular_velocity[2],
-                    {},
-                    0.};
-  PlanarEnergies     energies{};
-  kernels_.press_teeth(
-      world.planar->slots(), arguments(pairs_.front().slave.radius, dt), teeth, energies);
+  const unsigned int body  = master();
+  const Frame       &hub   = world.frames[body];
+  PlanarTeeth        teeth = arguments_of_teeth();
+  for (unsigned int d = 0; d < 2; ++d)
+    {
+      teeth.position[d] = hub.position[d];
+      teeth.velocity[d] = hub.velocity[d];
+      teeth.rotation[d] = hub.rotation[d][0];
+    }
+  teeth.spin = hub.angular_velocity[2];
+  PlanarEnergies energies{};
+  kernels_.press_teeth(world.planar->slots(), arguments(dt), teeth, energies);
   for (unsigned int d = 0; d < 2; ++d)
     world.force.local_element(3 * body + d) += teeth.force[d];
   world.moment.local_element(3 * body + 2) += teeth.moment;

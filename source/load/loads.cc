@@ -19,8 +19,7 @@ void Loads::add_forces(World &world, const double dt)
   const double share = world.symmetry.share(1.); // sum_over_ranks() makes it whole
   if (world.planar != nullptr && (gravity_ != 0. || drag_ != 0.))
     {
-      PlanarLoads loads{gravity_, drag_, 0., 0.};
-      world.planar->kernels().load(world.planar->slots(), loads);
+      const PlanarLoads loads = world.planar->add_loads(gravity_, drag_);
       world.ledger.potential += loads.potential;
       world.ledger.drag += loads.power * dt;
     }

@@ -4,19 +4,10 @@
 // Bodies of the kernels of planar_kernels.h, for `width` bodies at a time.
 
 #include <chaindrive/bodies/planar_kernels.h>
-#include <chaindrive/utilities/pack.h>
+#include <chaindrive/utilities/rows.h>
 
 namespace chaindrive::packed
 {
-template <int width>
-CHAINDRIVE_ALWAYS_INLINE double sum_of(const Pack<double, width> &p)
-{
-  double sum = 0.;
-  for (int i = 0; i < width; ++i)
-    sum += p[i];
-  return sum;
-}
-
 /// Cosine and sine of @p angle [rad]. The series are exact to round-off up to 0.05; beyond that the
 /// angle is halved six times and then doubled as often.
 template <typename P>
@@ -40,56 +31,133 @@ CHAINDRIVE_ALWAYS_INLINE void cosine_and_sine(P angle, P &cosine, P &sine)
   cosine = P(1.) - versed;
 }
 
+/// Adds @p h [s] times the accelerations of the bodies at @p bodies to their velocities @p v and
+/// spins @p spin.
 template <int width>
-void kick_planar(PlanarSlots bodies, const double h)
+CHAINDRIVE_ALWAYS_INLINE void kick_pack(const Rows                &bodies,
+                                        const Pack<double, width> &h,
+                                        Pack<double, width> (&v)[2],
+                                        Pack<double, width> &spin)
+{
+  using P             = Pack<double, width>;
+  const auto of       = [&bodies](const unsigned int entry) { return P::load(bodies.of(entry)); };
+  const P    per_mass = h * of(planar_inverse_mass);
+  for (unsigned int d = 0; d < 2; ++d)
+    {
+      v[d] = of(planar_velocity + d) + per_mass * of(planar_force + d);
+      v[d].store(bodies.of(planar_velocity + d));
+    }
+  spin = of(planar_spin) + h * of(planar_inverse_inertia) * of(planar_moment);
+  spin.store(bodies.of(planar_spin));
+}
+
+/// Twice the kinetic energy of bodies with these velocities, J.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE Pack<double, width>
+energy_of(const Rows &bodies, const Pack<double, width> (&v)[2], const Pack<double, width> &spin)
 {
   using P = Pack<double, width>;
-  for (unsigned int i = 0; i < bodies.n_slots; i += width)
-    {
-      const auto add =
-          [&](const unsigned int rate, const unsigned int inverse, const unsigned int f) {
-            double *at = bodies.of(rate) + i;
-            (P::load(at) + P(h) * P::load(bodies.of(inverse) + i) * P::load(bodies.of(f) + i))
-                .store(at);
-          };
-      add(planar_velocity, planar_inverse_mass, planar_force);
-      add(planar_velocity + 1, planar_inverse_mass, planar_force + 1);
-      add(planar_spin, planar_inverse_inertia, planar_moment);
-    }
+  return P::load(bodies.of(planar_mass)) * (v[0] * v[0] + v[1] * v[1]) +
+         P::load(bodies.of(planar_inertia)) * spin * spin;
 }
 
 template <int width>
-double drift_planar(PlanarSlots bodies, const double dt)
+double kick_planar(PlanarSlots slots, const double h)
 {
   using P = Pack<double, width>;
-  P fastest(0.);
-  for (unsigned int i = 0; i < bodies.n_slots; i += width)
+  P    energy(0.);
+  Rows bodies(slots.state, slots.n_slots, 0);
+  for (unsigned int i = 0; i < slots.n_slots; i += width, bodies.advance(width))
     {
-      P square(0.);
+      P v[2], spin;
+      kick_pack<width>(bodies, P(h), v, spin);
+      energy += energy_of<width>(bodies, v, spin);
+    }
+  return 0.5 * sum_of(energy);
+}
+
+template <int width>
+double kinetic_energy_of_planar(PlanarSlots slots)
+{
+  using P = Pack<double, width>;
+  P    energy(0.);
+  Rows bodies(slots.state, slots.n_slots, 0);
+  for (unsigned int i = 0; i < slots.n_slots; i += width, bodies.advance(width))
+    {
+      const P v[2] = {P::load(bodies.of(planar_velocity)), P::load(bodies.of(planar_velocity + 1))};
+      energy += energy_of<width>(bodies, v, P::load(bodies.of(planar_spin)));
+    }
+  return 0.5 * sum_of(energy);
+}
+
+/// Forces of the loads on bodies.
+template <int width>
+struct PackedLoads
+{
+  using P = Pack<double, width>;
+
+  CHAINDRIVE_ALWAYS_INLINE explicit PackedLoads(const PlanarLoads &loads)
+      : gravity(loads.gravity), drag(loads.drag), potential(0.), power(0.)
+  {
+  }
+
+  /// @p force on the bodies at @p bodies, of the velocities @p v and the height @p y above the
+  /// start.
+  CHAINDRIVE_ALWAYS_INLINE void act(const Rows &bodies, const P (&v)[2], const P &y, P (&force)[2])
+  {
+    const P mass   = P::load(bodies.of(planar_mass));
+    const P weight = gravity * mass, resistance = drag * mass;
+    potential += weight * y;
+    force[0] = P(0.) - resistance * v[0];
+    force[1] = P(0.) - resistance * v[1] - weight;
+    power += resistance * (v[0] * v[0] + v[1] * v[1]);
+  }
+
+  CHAINDRIVE_ALWAYS_INLINE void book(PlanarLoads &loads) const
+  {
+    loads.potential = sum_of(potential);
+    loads.power     = sum_of(power);
+  }
+
+  P gravity, drag, potential, power;
+};
+
+template <int width>
+double advance_planar(PlanarSlots slots, const double h, const double dt, PlanarLoads &given)
+{
+  using P = Pack<double, width>;
+  P                  fastest(0.);
+  const P            kick(h), step(dt);
+  PackedLoads<width> loads(given);
+  Rows               bodies(slots.state, slots.n_slots, 0);
+  for (unsigned int i = 0; i < slots.n_slots; i += width, bodies.advance(width))
+    {
+      const auto of = [&bodies](const unsigned int entry) { return P::load(bodies.of(entry)); };
+      P          v[2], spin, u[2], force[2];
+      kick_pack<width>(bodies, kick, v, spin);
       for (unsigned int d = 0; d < 2; ++d)
         {
-          const P v = P::load(bodies.of(planar_velocity + d) + i);
-          const P u = P::load(bodies.of(planar_displacement + d) + i) + P(dt) * v;
-          u.store(bodies.of(planar_displacement + d) + i);
-          (P::load(bodies.of(planar_origin + d) + i) + u).store(bodies.of(planar_position + d) + i);
-          square += v * v;
+          u[d] = of(planar_displacement + d) + step * v[d];
+          u[d].store(bodies.of(planar_displacement + d));
+          (of(planar_origin + d) + u[d]).store(bodies.of(planar_position + d));
         }
-      fastest = greatest(fastest, square);
+      fastest = greatest(fastest, v[0] * v[0] + v[1] * v[1]);
+      loads.act(bodies, v, u[1], force);
+      force[0].store(bodies.of(planar_force));
+      force[1].store(bodies.of(planar_force + 1));
+      P(0.).store(bodies.of(planar_moment));
 
       P turned[2];
-      cosine_and_sine(P(dt) * P::load(bodies.of(planar_follows_rotation) + i) *
-                          P::load(bodies.of(planar_spin) + i),
-                      turned[0],
-                      turned[1]);
-      const P before[2] = {P::load(bodies.of(planar_rotation) + i),
-                           P::load(bodies.of(planar_rotation + 1) + i)};
+      cosine_and_sine(step * of(planar_follows_rotation) * spin, turned[0], turned[1]);
+      const P before[2] = {of(planar_rotation), of(planar_rotation + 1)};
       const P after[2]  = {before[0] * turned[0] - before[1] * turned[1],
                            before[1] * turned[0] + before[0] * turned[1]};
       // round-off lets the length drift: one step of Newton's method sets it back
       const P length = P(1.5) - P(0.5) * (after[0] * after[0] + after[1] * after[1]);
       for (unsigned int d = 0; d < 2; ++d)
-        (length * after[d]).store(bodies.of(planar_rotation + d) + i);
+        (length * after[d]).store(bodies.of(planar_rotation + d));
     }
+  loads.book(given);
   double most = 0.;
   for (int i = 0; i < width; ++i)
     most = most < fastest[i] ? fastest[i] : most;
@@ -97,41 +165,20 @@ double drift_planar(PlanarSlots bodies, const double dt)
 }
 
 template <int width>
-void load_planar(PlanarSlots bodies, PlanarLoads &loads)
+void load_planar(PlanarSlots slots, PlanarLoads &given)
 {
   using P = Pack<double, width>;
-  P potential(0.), power(0.);
-  for (unsigned int i = 0; i < bodies.n_slots; i += width)
+  PackedLoads<width> loads(given);
+  Rows               bodies(slots.state, slots.n_slots, 0);
+  for (unsigned int i = 0; i < slots.n_slots; i += width, bodies.advance(width))
     {
-      const P mass = P::load(bodies.of(planar_mass) + i), weight = P(loads.gravity) * mass,
-              drag = P(loads.drag) * mass;
-      potential += weight * P::load(bodies.of(planar_displacement + 1) + i);
+      P force[2];
+      P v[2] = {P::load(bodies.of(planar_velocity)), P::load(bodies.of(planar_velocity + 1))};
+      loads.act(bodies, v, P::load(bodies.of(planar_displacement + 1)), force);
       for (unsigned int d = 0; d < 2; ++d)
-        {
-          const P v  = P::load(bodies.of(planar_velocity + d) + i);
-          double *at = bodies.of(planar_force + d) + i;
-          (P::load(at) - drag * v - (d == 1 ? weight : P(0.))).store(at);
-          power += drag * v * v;
-        }
+        (P::load(bodies.of(planar_force + d)) + force[d]).store(bodies.of(planar_force + d));
     }
-  loads.potential = sum_of(potential);
-  loads.power     = sum_of(power);
-}
-
-template <int width>
-double kinetic_energy_of_planar(PlanarSlots bodies)
-{
-  using P = Pack<double, width>;
-  P energy(0.);
-  for (unsigned int i = 0; i < bodies.n_slots; i += width)
-    {
-      const P x    = P::load(bodies.of(planar_velocity) + i),
-              y    = P::load(bodies.of(planar_velocity + 1) + i),
-              spin = P::load(bodies.of(planar_spin) + i);
-      energy += P::load(bodies.of(planar_mass) + i) * (x * x + y * y) +
-                P::load(bodies.of(planar_inertia) + i) * spin * spin;
-    }
-  return 0.5 * sum_of(energy);
+  loads.book(given);
 }
 
 /// The number of the lane before in each lane, and zero in the first one.
@@ -288,7 +335,7 @@ constexpr PlanarKernels make_planar_kernels()
 {
   return {width,
           &kick_planar<width>,
-          &drift_planar<width>,
+          &advance_planar<width>,
           &load_planar<width>,
           &kinetic_energy_of_planar<width>,
           &stretch_planar<width>,

@@ -51,11 +51,17 @@ public:
   PlanarSlots          slots() const { return {const_cast<double *>(state_.begin()), n_slots_}; }
   const PlanarKernels &kernels() const { return kernels_; }
 
-  /// Forces and moments become zero, to be added anew.
+  /// Forces and moments become zero, to be added anew; after drift(), which has begun them, those
+  /// of the loads.
   void clear_forces();
 
-  /// Whether others than this class and contact::PlanarContact add forces on these bodies to World;
-  /// until told otherwise, yes. Then complete_forces() has something to do.
+  /// Adds the forces of @p gravity [m/s2] and @p drag [1/s], those of the step, unless drift() has
+  /// done so. Returns what they come to.
+  PlanarLoads add_loads(double gravity, double drag);
+
+  /// Whether others than this class and contact::PlanarContact add forces on these bodies to World,
+  /// or change how they move; until told otherwise, yes. Then complete_forces() has something to
+  /// do. If not, the first kick() of a step waits for drift(), which needs one pass for both.
   void set_others_act(const bool others_act) { others_act_ = others_act; }
   bool others_act() const { return others_act_; }
 
@@ -122,11 +128,16 @@ private:
   const PlanarKernels             &kernels_;
   unsigned int                     n_slots_;
   std::vector<unsigned int>        slot_of_; ///< by body
-  std::vector<unsigned int>        bodies_;  ///< by slot
+  std::vector<unsigned int>        bodies_;  ///< in the order of slots
   dealii::AlignedVector<double>    state_;   ///< [PlanarEntry][slot]
   double                           fastest_square_ = 0., travelled_ = 0.;
   bool                             others_act_ = true;
   bool                             is_behind_  = false; ///< World, since the last update()
+  bool                             has_moved_  = true;  ///< drift() has been the last to move them
+  bool                             begun_      = false; ///< forces, by drift()
+  double                           waits_      = 0.;    ///< a kick, for drift(), s
+  std::optional<double>            kinetic_energy_;     ///< as the last kick() left it, J
+  std::optional<PlanarLoads>       loads_;              ///< that forces begin with
   std::optional<drive::RollerRing> oval_;
 };
 } // namespace chaindrive

@@ -6,19 +6,20 @@
 
 namespace chaindrive
 {
-/// What is known of a body that stays in the plane, [PlanarEntry][slot].
+/// What is known of a body that stays in the plane, [PlanarEntry][slot]. What contacts read and add
+/// to stands in rows that Rows finds for nothing.
 enum PlanarEntry : unsigned int
 {
-  planar_displacement     = 0,  ///< of the centre of mass since the start, x and y, m
-  planar_origin           = 2,  ///< where it was then, m
-  planar_position         = 4,  ///< the sum of both, m
-  planar_velocity         = 6,  ///< m/s
-  planar_rotation         = 8,  ///< cosine and sine of the body's angle
-  planar_spin             = 10, ///< angular velocity, rad/s
-  planar_force            = 11, ///< resultant, N
+  planar_position         = 0,  ///< of the centre of mass, x and y, m
+  planar_spin             = 2,  ///< angular velocity, rad/s
+  planar_inverse_mass     = 3,  ///< 1/kg
+  planar_velocity         = 4,  ///< x and y, m/s
+  planar_rotation         = 6,  ///< cosine and sine of the body's angle
+  planar_force            = 8,  ///< resultant, x and y, N
+  planar_origin           = 10, ///< where its centre of mass was at the start, x and y, m
+  planar_inverse_inertia  = 12, ///< 1/(kg m2); 0: does not turn
   planar_moment           = 13, ///< about the centre of mass, N m
-  planar_inverse_mass     = 14, ///< 1/kg
-  planar_inverse_inertia  = 15, ///< 1/(kg m2); 0: does not turn
+  planar_displacement     = 14, ///< position less origin, which it is the sum of, x and y, m
   planar_mass             = 16, ///< kg
   planar_inertia          = 17, ///< kg m2
   planar_follows_rotation = 18, ///< 1: it has an angle; 0: a ring, which looks the same at any
@@ -71,10 +72,12 @@ struct PlanarBars
 struct PlanarKernels
 {
   int width; ///< numbers that the machine computes at a time
-  /// Adds @p h [s] times the accelerations to the velocities.
-  void (*kick)(PlanarSlots, double h);
-  /// Moves by a step @p dt [s]; returns the largest square of a speed, m2/s2.
-  double (*drift)(PlanarSlots, double dt);
+  /// Adds @p h [s] times the accelerations to the velocities; returns the kinetic energy, J.
+  double (*kick)(PlanarSlots, double h);
+  /// The same, and moves by a step @p dt [s]. Forces become those of the loads where bodies are
+  /// then. Returns the largest square of a speed, m2/s2.
+  double (*advance)(PlanarSlots, double h, double dt, PlanarLoads &);
+  /// Adds the forces of the loads.
   void (*load)(PlanarSlots, PlanarLoads &);
   double (*kinetic_energy)(PlanarSlots); ///< J
   void (*stretch)(PlanarSlots, PlanarBars &);

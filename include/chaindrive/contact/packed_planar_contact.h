@@ -8,6 +8,7 @@
 #include <chaindrive/contact/packed_profile.h>
 #include <chaindrive/contact/penalty.h>
 #include <chaindrive/contact/planar_contact_kernels.h>
+#include <chaindrive/utilities/rows.h>
 
 namespace chaindrive::contact::packed
 {
@@ -17,20 +18,64 @@ struct PlanarBody
 {
   P position[2], velocity[2], spin;
 
-  /// Velocity of its material at @p x, at the instant @p earlier before now.
-  CHAINDRIVE_ALWAYS_INLINE void velocity_at(const P (&x)[2], const P &earlier, P (&v)[2]) const
+  /// Velocity of its material at @p arm from its centre, at the instant @p earlier before now.
+  CHAINDRIVE_ALWAYS_INLINE void velocity_at(const P (&arm)[2], const P &earlier, P (&v)[2]) const
   {
-    const P turned = earlier * spin, arm[2] = {x[0] - position[0], x[1] - position[1]};
-    v[0] = velocity[0] - spin * (arm[1] - turned * arm[0]);
-    v[1] = velocity[1] + spin * (arm[0] + turned * arm[1]);
-  }
-
-  /// Moment about its centre of a force @p f at @p x.
-  CHAINDRIVE_ALWAYS_INLINE P moment_of(const P (&x)[2], const P (&f)[2]) const
-  {
-    return (x[0] - position[0]) * f[1] - (x[1] - position[1]) * f[0];
+    const P turned = earlier * spin;
+    v[0]           = velocity[0] - spin * (arm[1] - turned * arm[0]);
+    v[1]           = velocity[1] + spin * (arm[0] + turned * arm[1]);
   }
 };
+
+/// Moment of a force @p f at @p arm.
+template <typename P>
+CHAINDRIVE_ALWAYS_INLINE P moment_of(const P (&arm)[2], const P (&f)[2])
+{
+  return arm[0] * f[1] - arm[1] * f[0];
+}
+
+/// How slaves meet their masters. All contacts of a run are met before the first one is pressed:
+/// what one of them does waits for its root and its division, and a processor begins only as many
+/// others in the meantime as it has room for operations that wait.
+template <int width>
+struct Meeting
+{
+  using P = Pack<double, width>;
+
+  /// Where the normals are @p normal_of_master [unit] and the slaves' axes @p centre; the slaves
+  /// have the radius @p radius, and velocities are those @p earlier before now.
+  CHAINDRIVE_ALWAYS_INLINE void meet(const P &gap_of_pair,
+                                     const P (&normal_of_master)[2],
+                                     const P (&centre)[2],
+                                     const P             &radius,
+                                     const PlanarBody<P> &slave,
+                                     const PlanarBody<P> &master,
+                                     const P             &earlier)
+  {
+    P of_slave[2], of_master[2], relative[2];
+    gap = gap_of_pair;
+    for (int d = 0; d < 2; ++d)
+      {
+        normal[d]     = normal_of_master[d];
+        const P point = centre[d] - radius * normal[d];
+        slave_arm[d]  = point - slave.position[d];
+        master_arm[d] = point - master.position[d];
+      }
+    slave.velocity_at(slave_arm, earlier, of_slave);
+    master.velocity_at(master_arm, earlier, of_master);
+    for (int d = 0; d < 2; ++d)
+      relative[d] = of_slave[d] - of_master[d];
+    speed = relative[0] * normal[0] + relative[1] * normal[1];
+    slip  = relative[1] * normal[0] - relative[0] * normal[1];
+  }
+
+  P gap, normal[2];              ///< m, unit
+  P slave_arm[2], master_arm[2]; ///< from the bodies' centres to where they touch, m
+  P speed, slip; ///< of the slave against the master, along the normal and across it, m/s
+};
+
+/// How many packs are met before the first of them is pressed.
+constexpr unsigned int n_ahead = 8;
 
 /// Springs that are not the law's, here and where they were a step ago.
 template <typename P>
@@ -51,60 +96,33 @@ struct PlanarLaw
             contacts.law.friction,
             contacts.law.tangential_stiffness,
             contacts.law.tangential_damping}
-      , radius(contacts.radius)
       , dt(contacts.dt)
       , earlier(0.5 * contacts.dt)
       , friction(contacts.law.friction > 0.)
-      , touch(contacts.touch)
-      , n_places(contacts.n_places)
       , energies{P(0.), P(0.), P(0.)}
   {
   }
 
-  CHAINDRIVE_ALWAYS_INLINE double *of(const unsigned int entry, const unsigned int place) const
-  {
-    return touch + entry * n_places + place;
-  }
-
-  /// Evaluates the pairs from @p place on, whose gaps are @p gap, the normals @p normal and the
-  /// slaves' axes @p centre; @p own_rate is what gaps change by beside the motion of the bodies,
-  /// @p spring that which is not the law's. Returns false if none touches and none did; else
-  /// @p force is that on the slaves at @p point.
-  CHAINDRIVE_ALWAYS_INLINE bool press(const unsigned int place,
-                                      const P           &gap,
-                                      const P (&normal)[2],
-                                      const P (&centre)[2],
-                                      const PlanarBody<P> &slave,
-                                      const PlanarBody<P> &master,
-                                      P (&point)[2],
+  /// Evaluates the pairs at @p touch that meet as @p pair; @p spring is that which is not the
+  /// law's. Returns false if none touches and none did; else @p force is that on the slaves.
+  CHAINDRIVE_ALWAYS_INLINE bool press(const Rows           &touch,
+                                      const Meeting<width> &pair,
                                       P (&force)[2],
-                                      const P            *own_rate = nullptr,
-                                      const SpringNow<P> *spring   = nullptr)
+                                      const SpringNow<P> *spring = nullptr)
   {
-    const P zero(0.);
-    gap.store(of(planar_touch_gap, place));
+    const P zero(0.), gap = pair.gap;
+    gap.store(touch.of(planar_touch_gap));
     TouchStateOf<P, 1> state;
-    state.penetration = P::load(of(planar_touch_penetration, place));
-    if (!any_less(least(gap, zero - state.penetration), zero))
+    state.penetration = P::load(touch.of(planar_touch_penetration));
+    if (!any_negative(least(gap, zero - state.penetration)))
       return false;
-    state.normal        = P::load(of(planar_touch_normal, place));
-    state.slip[0]       = P::load(of(planar_touch_slip, place));
-    state.tangential[0] = P::load(of(planar_touch_tangential, place));
-
-    P of_slave[2], of_master[2], relative[2];
-    for (int d = 0; d < 2; ++d)
-      point[d] = centre[d] - radius * normal[d];
-    slave.velocity_at(point, earlier, of_slave);
-    master.velocity_at(point, earlier, of_master);
-    for (int d = 0; d < 2; ++d)
-      relative[d] = of_slave[d] - of_master[d];
-    P speed = relative[0] * normal[0] + relative[1] * normal[1];
-    if (own_rate != nullptr)
-      speed += *own_rate;
+    state.normal        = P::load(touch.of(planar_touch_normal));
+    state.slip[0]       = P::load(touch.of(planar_touch_slip));
+    state.tangential[0] = P::load(touch.of(planar_touch_tangential));
     // those that have just separated give back what their springs held: see separate()
     const auto touching = [&](const P &a) { return if_less(gap, zero, a, zero); };
-    const P    rate     = touching(speed);
-    const P    slip[1]  = {touching(relative[1] * normal[0] - relative[0] * normal[1])};
+    const P    rate     = touching(pair.speed);
+    const P    slip[1]  = {touching(pair.slip)};
     if (spring != nullptr)
       update_touch(law,
                    CurvedApproach<P>{least(gap, zero), rate, spring->here, spring->before},
@@ -117,68 +135,77 @@ struct PlanarLaw
       update_touch(
           law, PointApproach<P>{least(gap, zero), rate}, slip, dt, friction, state, energies);
 
-    state.penetration.store(of(planar_touch_penetration, place));
-    state.normal.store(of(planar_touch_normal, place));
-    state.slip[0].store(of(planar_touch_slip, place));
-    state.tangential[0].store(of(planar_touch_tangential, place));
+    state.penetration.store(touch.of(planar_touch_penetration));
+    state.normal.store(touch.of(planar_touch_normal));
+    state.slip[0].store(touch.of(planar_touch_slip));
+    state.tangential[0].store(touch.of(planar_touch_tangential));
     const auto keep = [&](const unsigned int entry, const P &now) {
-      double *at = of(entry, place);
+      double *at = touch.of(entry);
       if_less(gap, zero, now, P::load(at)).store(at);
     };
-    keep(planar_touch_direction, normal[0]);
-    keep(planar_touch_direction + 1, normal[1]);
+    keep(planar_touch_direction, pair.normal[0]);
+    keep(planar_touch_direction + 1, pair.normal[1]);
     keep(planar_touch_approach, zero - rate);
     const P tangential = friction ? touching(state.tangential[0]) : zero;
-    force[0]           = state.normal * normal[0] - tangential * normal[1];
-    force[1]           = state.normal * normal[1] + tangential * normal[0];
+    force[0]           = state.normal * pair.normal[0] - tangential * pair.normal[1];
+    force[1]           = state.normal * pair.normal[1] + tangential * pair.normal[0];
     return true;
   }
 
   CHAINDRIVE_ALWAYS_INLINE void book(PlanarEnergies &to) const
   {
-    for (int i = 0; i < width; ++i)
-      {
-        to.stored += energies.stored[i];
-        to.damping_loss += energies.damping_loss[i];
-        to.friction_loss += energies.friction_loss[i];
-      }
+    to.stored += sum_of(energies.stored);
+    to.damping_loss += sum_of(energies.damping_loss);
+    to.friction_loss += sum_of(energies.friction_loss);
   }
 
   scene::ContactLawOf<P> law;
-  P                      radius, dt, earlier;
+  P                      dt, earlier;
   bool                   friction;
-  double                *touch;
-  unsigned int           n_places;
   ContactEnergies<P>     energies;
 };
 
-/// The bodies in the slots from @p slot on, and where their points @p axis are.
+/// How the bodies at @p bodies move, but for their positions.
 template <int width>
-CHAINDRIVE_ALWAYS_INLINE void take_bodies(const PlanarSlots &bodies,
-                                          const unsigned int slot,
-                                          const double (&axis)[2],
+CHAINDRIVE_ALWAYS_INLINE void take_rates(const Rows &bodies, PlanarBody<Pack<double, width>> &body)
+{
+  using P = Pack<double, width>;
+  for (unsigned int d = 0; d < 2; ++d)
+    body.velocity[d] = P::load_unaligned(bodies.of(planar_velocity + d));
+  body.spin = P::load_unaligned(bodies.of(planar_spin));
+}
+
+/// The bodies at @p bodies, and where their points @p axis are.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void take_bodies(const Rows &bodies,
+                                          const Pack<double, width> (&axis)[2],
                                           PlanarBody<Pack<double, width>> &body,
                                           Pack<double, width> (&point)[2])
 {
-  using P             = Pack<double, width>;
-  const auto entry_at = [&](const unsigned int entry) {
-    return P::load_unaligned(bodies.of(entry) + slot);
-  };
+  using P = Pack<double, width>;
   for (unsigned int d = 0; d < 2; ++d)
-    {
-      body.position[d] = entry_at(planar_position + d);
-      body.velocity[d] = entry_at(planar_velocity + d);
-    }
-  body.spin = entry_at(planar_spin);
-  const P c = entry_at(planar_rotation), s = entry_at(planar_rotation + 1);
-  point[0] = body.position[0] + c * P(axis[0]) - s * P(axis[1]);
-  point[1] = body.position[1] + s * P(axis[0]) + c * P(axis[1]);
+    body.position[d] = P::load_unaligned(bodies.of(planar_position + d));
+  take_rates<width>(bodies, body);
+  const P c = P::load_unaligned(bodies.of(planar_rotation)),
+          s = P::load_unaligned(bodies.of(planar_rotation + 1));
+  point[0]  = body.position[0] + c * axis[0] - s * axis[1];
+  point[1]  = body.position[1] + s * axis[0] + c * axis[1];
 }
 
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE void add_to(double *to, const Pack<double, width> &what)
 {
   (Pack<double, width>::load_unaligned(to) + what).store_unaligned(to);
+}
+
+/// Adds @p force and @p moment to those on the bodies at @p bodies.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void
+push(const Rows &bodies, const Pack<double, width> (&force)[2], const Pack<double, width> &moment)
+{
+  for (unsigned int d = 0; d < 2; ++d)
+    add_to<width>(bodies.of(planar_force + d), force[d]);
+  add_to<width>(bodies.of(planar_moment), moment);
 }
 
 /// The oval of a roller at an angle, and what a contact there does to it.
@@ -250,73 +277,110 @@ struct SpringOnTeeth
   CurvedSpring<P> here, upwards; ///< the second is the derivative of the first over the height
 };
 
+/// The ovals of the rollers at @p rollers where the normals are @p normal.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE OvalAt<width> oval_at(const Rows &rollers,
+                                               const Pack<double, width> (&normal)[2])
+{
+  using P = Pack<double, width>;
+  P oval[2], rate[2];
+  for (unsigned int d = 0; d < 2; ++d)
+    {
+      oval[d] = P::load_unaligned(rollers.of(planar_ring + d));
+      rate[d] = P::load_unaligned(rollers.of(planar_ring_rate + d));
+    }
+  return OvalAt<width>(normal, oval, rate);
+}
+
+/// Adds to the forces on the ovals of the rollers at @p rollers what @p pressed there does.
+template <int width>
+CHAINDRIVE_ALWAYS_INLINE void
+push_oval(const Rows &rollers, const OvalAt<width> &at, const Pack<double, width> &pressed)
+{
+  add_to<width>(rollers.of(planar_ring_force), pressed * at.cosine);
+  add_to<width>(rollers.of(planar_ring_force + 1), pressed * at.sine);
+}
+
 template <int width, bool ovals, bool curved>
 void press_bores_of(PlanarSlots           bodies,
                     const PlanarContacts &contacts,
-                    const PlanarRun      &of,
+                    const PlanarRun      *runs,
+                    const unsigned int    n_runs,
                     PlanarEnergies       &energies)
 {
-  using P              = Pack<double, width>;
-  const PlanarRun  run = of; // which nothing that is stored below can change
+  using P = Pack<double, width>;
   PlanarLaw<width> law(contacts);
   SpringNow<P>     spring;
   if (curved)
     spring.here = spring.before =
         spring_of(P(contacts.curve->first[0]), P(contacts.curve->last[0]), contacts.curve->depth);
   const SpringNow<P> *const by = curved ? &spring : nullptr;
-  for (unsigned int i = 0; i < run.n; i += width)
+  const P                   share(contacts.oval);
+  Meeting<width>            pairs[n_ahead];
+  P                         turns[ovals ? n_ahead : 1]; // of the normal along the tangent, 1/m
+  for (const PlanarRun *run = runs; run != runs + n_runs; ++run)
     {
-      PlanarBody<P> master, slave;
-      P             axis[2], centre[2];
-      take_bodies<width>(bodies, run.master + i, run.master_axis, master, axis);
-      take_bodies<width>(bodies, run.slave + i, run.slave_axis, slave, centre);
-      const P            offset[2] = {centre[0] - axis[0], centre[1] - axis[1]};
-      const P            distance  = square_root(offset[0] * offset[0] + offset[1] * offset[1]);
-      const unsigned int place     = run.first_place + i;
-      P                  gap       = P::load(law.of(planar_touch_room, place)) - distance;
-      const P            inverse   = P(-1.) / greatest(distance, P(1e-300));
-      const P            normal[2] = {offset[0] * inverse, offset[1] * inverse};
-      P                  point[2], force[2], aside[2] = {P(0.), P(0.)};
-      if (ovals)
+      Rows    masters(bodies.state, bodies.n_slots, run->master);
+      Rows    slaves(bodies.state, bodies.n_slots, run->slave);
+      Rows    touch(contacts.touch, contacts.n_places, run->first_place);
+      const P master_axis[2] = {P(run->master_axis[0]), P(run->master_axis[1])},
+              slave_axis[2]  = {P(run->slave_axis[0]), P(run->slave_axis[1])}, radius(run->radius);
+      const unsigned int n   = run->n / width; // which nothing that is stored below can change
+      for (unsigned int first = 0; first < n; first += n_ahead)
         {
-          const auto two = [&](const unsigned int entry, P(&to)[2]) {
-            for (unsigned int d = 0; d < 2; ++d)
-              to[d] = P::load_unaligned(bodies.of(entry + d) + run.master + i);
-          };
-          P oval[2], rate[2];
-          two(planar_ring, oval);
-          two(planar_ring_rate, rate);
-          const OvalAt<width> at(normal, oval, rate);
-          const P             share(contacts.oval), wider = share * at.outwards_rate;
-          gap += share * at.outwards;
-          if (!law.press(place, gap, normal, centre, slave, master, point, force, &wider, by))
-            continue;
-          const P pressed = share * (force[0] * normal[0] + force[1] * normal[1]);
-          add_to<width>(bodies.of(planar_ring_force) + run.master + i, pressed * at.cosine);
-          add_to<width>(bodies.of(planar_ring_force + 1) + run.master + i, pressed * at.sine);
-          // the normal turns by 1 / distance backwards along the tangent (-n_y, n_x)
-          const P along = pressed * sideways(at.slope, inverse);
-          aside[0]      = P(0.) - along * normal[1];
-          aside[1]      = along * normal[0];
-        }
-      else if (!law.press(place, gap, normal, centre, slave, master, point, force, nullptr, by))
-        continue;
-      const P opposite[2] = {P(0.) - force[0], P(0.) - force[1]};
-      for (unsigned int d = 0; d < 2; ++d)
-        {
-          add_to<width>(bodies.of(planar_force + d) + run.master + i, opposite[d]);
-          add_to<width>(bodies.of(planar_force + d) + run.slave + i, force[d]);
-        }
-      add_to<width>(bodies.of(planar_moment) + run.master + i, master.moment_of(point, opposite));
-      add_to<width>(bodies.of(planar_moment) + run.slave + i, slave.moment_of(point, force));
-      if (ovals) // from centre to centre
-        {
-          for (unsigned int d = 0; d < 2; ++d)
+          const unsigned int n_met = n - first < n_ahead ? n - first : n_ahead;
+          Rows               met_masters(masters), met_slaves(slaves), met(touch);
+          for (unsigned int i = 0; i < n_met; ++i)
             {
-              add_to<width>(bodies.of(planar_force + d) + run.master + i, P(0.) - aside[d]);
-              add_to<width>(bodies.of(planar_force + d) + run.slave + i, aside[d]);
+              PlanarBody<P> master, slave;
+              P             axis[2], centre[2];
+              take_bodies<width>(met_masters, master_axis, master, axis);
+              take_bodies<width>(met_slaves, slave_axis, slave, centre);
+              const P offset[2] = {centre[0] - axis[0], centre[1] - axis[1]};
+              const P distance  = square_root(offset[0] * offset[0] + offset[1] * offset[1]);
+              const P gap       = P::load(met.of(planar_touch_room)) - distance;
+              const P inverse   = P(-1.) / greatest(distance, P(1e-300));
+              const P normal[2] = {offset[0] * inverse, offset[1] * inverse};
+              pairs[i].meet(gap, normal, centre, radius, slave, master, law.earlier);
+              if (ovals)
+                {
+                  const OvalAt<width> at = oval_at<width>(met_masters, normal);
+                  pairs[i].gap += share * at.outwards;
+                  pairs[i].speed += share * at.outwards_rate;
+                  turns[i] = inverse;
+                }
+              met_masters.advance(width);
+              met_slaves.advance(width);
+              met.advance(width);
             }
-          add_to<width>(bodies.of(planar_moment) + run.slave + i, slave.moment_of(centre, aside));
+          for (unsigned int i = 0; i < n_met;
+               ++i, masters.advance(width), slaves.advance(width), touch.advance(width))
+            {
+              const Meeting<width> &pair = pairs[i];
+              P                     force[2];
+              if (!law.press(touch, pair, force, by))
+                continue;
+              const P opposite[2] = {P(0.) - force[0], P(0.) - force[1]};
+              push<width>(masters, opposite, moment_of(pair.master_arm, opposite));
+              push<width>(slaves, force, moment_of(pair.slave_arm, force));
+              if (ovals)
+                {
+                  const P(&normal)[2]    = pair.normal;
+                  const OvalAt<width> at = oval_at<width>(masters, normal);
+                  const P pressed        = share * (force[0] * normal[0] + force[1] * normal[1]);
+                  push_oval<width>(masters, at, pressed);
+                  // from centre to centre; the normal turns by 1 / distance backwards along the
+                  // tangent (-n_y, n_x)
+                  const P along    = pressed * sideways(at.slope, turns[i]);
+                  const P aside[2] = {P(0.) - along * normal[1], along * normal[0]},
+                          back[2]  = {along * normal[1], P(0.) - along * normal[0]};
+                  P axis[2];
+                  for (unsigned int d = 0; d < 2; ++d)
+                    axis[d] = pair.slave_arm[d] + radius * normal[d];
+                  push<width>(masters, back, P(0.));
+                  push<width>(slaves, aside, moment_of(axis, aside));
+                }
+            }
         }
     }
   law.book(energies);
@@ -325,7 +389,8 @@ void press_bores_of(PlanarSlots           bodies,
 template <int width>
 void press_bores(PlanarSlots           bodies,
                  const PlanarContacts &contacts,
-                 const PlanarRun      &run,
+                 const PlanarRun      *runs,
+                 const unsigned int    n_runs,
                  PlanarEnergies       &energies)
 {
   const auto press = contacts.oval != 0. ?
@@ -333,8 +398,19 @@ void press_bores(PlanarSlots           bodies,
                                                       &press_bores_of<width, true, false>) :
                          (contacts.curve != nullptr ? &press_bores_of<width, false, true> :
                                                       &press_bores_of<width, false, false>);
-  press(bodies, contacts, run, energies);
+  press(bodies, contacts, runs, n_runs, energies);
 }
+
+/// What teeth that are softer higher up are where rollers touch them.
+template <int width>
+struct ClimbedTeeth
+{
+  using P = Pack<double, width>;
+
+  SpringNow<P>    spring;
+  CurvedSpring<P> upwards;
+  P               climbs; ///< of the height of the contact, as the roller moves along the tangent
+};
 
 template <int width, bool ovals, bool curved>
 void press_teeth_of(PlanarSlots           bodies,
@@ -351,158 +427,117 @@ void press_teeth_of(PlanarSlots           bodies,
       sprocket.velocity[d] = P(teeth.velocity[d]);
     }
   sprocket.spin = P(teeth.spin);
-  const P cosine(teeth.rotation[0]), sine(teeth.rotation[1]);
+  const P cosine(teeth.rotation[0]), sine(teeth.rotation[1]), radius(teeth.radius);
   P       on_sprocket[2] = {P(0.), P(0.)}, moment(0.);
-  for (unsigned int place = 0; place < teeth.n; place += width)
+
+  Meeting<width>      pairs[n_ahead];
+  P                   turns[ovals ? n_ahead : 1]; // of the normal along the tangent, 1/m
+  ClimbedTeeth<width> climbed[curved ? n_ahead : 1];
+  const auto          rollers_at = [&](const unsigned int place) {
+    return Rows(bodies.state, bodies.n_slots, teeth.slot[place / n_lanes] + place % n_lanes);
+  };
+  for (unsigned int first = 0; first < teeth.n; first += n_ahead * width)
     {
-      const unsigned int *slots = teeth.slot + place;
-      PlanarBody<P>       roller;
-      for (unsigned int d = 0; d < 2; ++d)
-        roller.position[d] = gather_slots<width>(bodies.of(planar_position + d), slots);
-      const P offset[2] = {roller.position[0] - sprocket.position[0],
-                           roller.position[1] - sprocket.position[1]};
-      const P local[2]  = {cosine * offset[0] + sine * offset[1],
-                           cosine * offset[1] - sine * offset[0]};
-      P       p[2], turn[2], side;
-      fold<width>(teeth, teeth.gap + place, local, p, turn, side);
-      NearestOnProfile<width> nearest;
-      if (!nearest_as_known<width>(teeth, place, p, nearest))
+      const unsigned int left  = (teeth.n - first) / width;
+      const unsigned int n_met = left < n_ahead ? left : n_ahead;
+      for (unsigned int i = 0; i < n_met; ++i)
         {
-          nearest = nearest_on_profile<width>(teeth, p);
-          for (int i = 0; i < width; ++i)
-            {
-              const double       at[2] = {p[0][i], p[1][i]};
-              const unsigned int which = static_cast<unsigned int>(nearest.which[i]);
-              if (!stays_near<width>(teeth, place + i, at))
-                keep_nearest<width>(
-                    teeth,
-                    place + i,
-                    {which > 0 ? (which - 1) / 2 : static_cast<unsigned int>(nearest.segment[i]),
-                     which > 0 ? (which - 1) % 2 + 1 : 0,
-                     nearest.distance[i]},
-                    at);
-              if (which == 0)
-                continue;
-              double normal[2];
-              set_lane(nearest.signed_distance,
-                       i,
-                       end_of_profile(teeth, which, at, nearest.distance[i], normal));
-              set_lane(nearest.normal[0], i, normal[0]);
-              set_lane(nearest.normal[1], i, normal[1]);
-              if (ovals || curved) // about a corner the normal turns with the roller
-                set_lane(nearest.turn,
-                         i,
-                         teeth.segments[(which - 1) / 2].corner[(which - 1) % 2] == 0 ||
-                                 nearest.signed_distance[i] == 0. ?
-                             0. :
-                             1. / nearest.signed_distance[i]);
-            }
-        }
-      P gap = nearest.signed_distance - P::load(law.of(planar_touch_room, place));
-      // back from the sector to the sprocket's frame, and from there to the world
-      const P y              = side * nearest.normal[1];
-      const P in_sprocket[2] = {turn[0] * nearest.normal[0] - turn[1] * y,
-                                turn[1] * nearest.normal[0] + turn[0] * y};
-      const P normal[2]      = {cosine * in_sprocket[0] - sine * in_sprocket[1],
-                                sine * in_sprocket[0] + cosine * in_sprocket[1]};
-      for (unsigned int d = 0; d < 2; ++d)
-        roller.velocity[d] = gather_slots<width>(bodies.of(planar_velocity + d), slots);
-      roller.spin = gather_slots<width>(bodies.of(planar_spin), slots);
-      SpringNow<P>    spring;
-      CurvedSpring<P> upwards;
-      P               climbs; // of the height of the contact, as the roller moves along the tangent
-      if (curved)
-        {
-          // The contact moves as far as the roller on a line, less on convex arcs, not at all about
-          // corners. In the sector the tangent is (-n_y, n_x).
-          climbs =
-              P(0.) - nearest.normal[1] * side * (P(1.) - nearest.signed_distance * nearest.turn);
-          const SpringOnTeeth<width> at(*contacts.curve,
-                                        p[0] - nearest.normal[0] * nearest.signed_distance);
-          P                          below[2];
-          sprocket.velocity_at(roller.position, law.earlier, below);
-          const P along = (roller.velocity[1] - below[1]) * normal[0] -
-                          (roller.velocity[0] - below[0]) * normal[1];
-          spring  = at.now(climbs * along * law.dt);
-          upwards = at.upwards;
-        }
-      const SpringNow<P> *const by = curved ? &spring : nullptr;
-      P                         point[2], force[2];
-      if (ovals)
-        {
-          P oval[2], rate[2];
+          const unsigned int place   = first + i * width;
+          const Rows         rollers = rollers_at(place);
+          const Rows         touch(contacts.touch, contacts.n_places, place);
+          const double      *known = known_of(teeth, place);
+          PlanarBody<P>      roller;
           for (unsigned int d = 0; d < 2; ++d)
+            roller.position[d] = P::load_unaligned(rollers.of(planar_position + d));
+          const P offset[2] = {roller.position[0] - sprocket.position[0],
+                               roller.position[1] - sprocket.position[1]};
+          const P local[2]  = {cosine * offset[0] + sine * offset[1],
+                               cosine * offset[1] - sine * offset[0]};
+          P       p[2], turn[2], side;
+          fold<width>(teeth, place, known, local, p, turn, side);
+          if (!stay_near<width>(known, p))
             {
-              oval[d] = gather_slots<width>(bodies.of(planar_ring + d), slots);
-              rate[d] = gather_slots<width>(bodies.of(planar_ring_rate + d), slots);
+              alignas(64) double at[2][width];
+              for (int d = 0; d < 2; ++d)
+                p[d].store(at[d]);
+              look_again<width>(teeth, place, at[0], at[1]);
             }
-          const OvalAt<width> at(normal, oval, rate);
-          const P             closer = P(0.) - at.outwards_rate;
-          gap                        = gap - at.outwards;
-          if (!law.press(
-                  place, gap, normal, roller.position, roller, sprocket, point, force, &closer, by))
+          const NearestOnProfile<width> nearest(known, p);
+          const P gap = nearest.signed_distance - P::load(touch.of(planar_touch_room));
+          // back from the sector to the sprocket's frame, and from there to the world
+          const P y              = side * nearest.normal[1];
+          const P in_sprocket[2] = {turn[0] * nearest.normal[0] - turn[1] * y,
+                                    turn[1] * nearest.normal[0] + turn[0] * y};
+          const P normal[2]      = {cosine * in_sprocket[0] - sine * in_sprocket[1],
+                                    sine * in_sprocket[0] + cosine * in_sprocket[1]};
+          take_rates<width>(rollers, roller);
+          pairs[i].meet(gap, normal, roller.position, radius, roller, sprocket, law.earlier);
+          if (curved)
+            {
+              // The contact moves as far as the roller on a line, less on convex arcs, not at all
+              // about corners. In the sector the tangent is (-n_y, n_x).
+              const P climbs = P(0.) - nearest.normal[1] * side *
+                                           (P(1.) - nearest.signed_distance * nearest.turn);
+              const SpringOnTeeth<width> at(*contacts.curve,
+                                            p[0] - nearest.normal[0] * nearest.signed_distance);
+              P                          below[2];
+              sprocket.velocity_at(offset, law.earlier, below);
+              const P along = (roller.velocity[1] - below[1]) * normal[0] -
+                              (roller.velocity[0] - below[0]) * normal[1];
+              climbed[i] = {at.now(climbs * along * law.dt), at.upwards, climbs};
+            }
+          if (ovals)
+            {
+              const OvalAt<width> at = oval_at<width>(rollers, normal);
+              pairs[i].gap -= at.outwards;
+              pairs[i].speed -= at.outwards_rate;
+              turns[i] = nearest.turn;
+            }
+        }
+      for (unsigned int i = 0; i < n_met; ++i)
+        {
+          const unsigned int    place   = first + i * width;
+          const Rows            rollers = rollers_at(place);
+          const Rows            touch(contacts.touch, contacts.n_places, place);
+          const Meeting<width> &pair = pairs[i];
+          P                     force[2];
+          if (!law.press(touch, pair, force, curved ? &climbed[i].spring : nullptr))
             continue;
-          const P pressed = force[0] * normal[0] + force[1] * normal[1];
-          const P along   = pressed * sideways(at.slope, nearest.turn);
-          P       aside[2];
-          aside[0] = along * normal[1];
-          aside[1] = P(0.) - along * normal[0];
-          for (int i = 0; i < width; ++i)
+          const P(&normal)[2] = pair.normal;
+          const P pressed     = force[0] * normal[0] + force[1] * normal[1];
+          const P on_roller   = moment_of(pair.slave_arm, force);
+          P       along(0.);
+          moment -= moment_of(pair.master_arm, force);
+          if (ovals)
             {
-              bodies.of(planar_ring_force)[slots[i]] -= pressed[i] * at.cosine[i];
-              bodies.of(planar_ring_force + 1)[slots[i]] -= pressed[i] * at.sine[i];
-              bodies.of(planar_force)[slots[i]] += aside[0][i];
-              bodies.of(planar_force + 1)[slots[i]] += aside[1][i];
+              const OvalAt<width> at = oval_at<width>(rollers, normal);
+              push_oval<width>(rollers, at, P(0.) - pressed);
+              along += pressed * sideways(at.slope, turns[i]);
+              moment -= pressed * at.slope; // the normal turns with the sprocket, too
             }
-          on_sprocket[0] -= aside[0];
-          on_sprocket[1] -= aside[1];
-          // the normal turns with the sprocket, too
-          moment -= sprocket.moment_of(roller.position, aside) + pressed * at.slope;
-        }
-      else if (!law.press(place,
-                          gap,
-                          normal,
-                          roller.position,
-                          roller,
-                          sprocket,
-                          point,
-                          force,
-                          nullptr,
-                          by))
-        continue;
-      if (curved)
-        {
-          // teeth that are softer higher up push the roller there: the force of the same potential
-          const P along    = upwards.energy(greatest(P(0.), P(0.) - gap)) * climbs;
-          const P aside[2] = {along * normal[1], P(0.) - along * normal[0]};
-          for (int i = 0; i < width; ++i)
+          if (curved) // the force of the same potential pushes the roller to where they are softer
+            along +=
+                climbed[i].upwards.energy(greatest(P(0.), P(0.) - pair.gap)) * climbed[i].climbs;
+          if (ovals || curved) // at the roller's axis
             {
-              bodies.of(planar_force)[slots[i]] += aside[0][i];
-              bodies.of(planar_force + 1)[slots[i]] += aside[1][i];
+              const P aside[2] = {along * normal[1], P(0.) - along * normal[0]};
+              P       axis[2];
+              for (unsigned int d = 0; d < 2; ++d)
+                {
+                  axis[d] = pair.master_arm[d] + radius * normal[d];
+                  force[d] += aside[d];
+                }
+              moment -= moment_of(axis, aside);
             }
-          on_sprocket[0] -= aside[0];
-          on_sprocket[1] -= aside[1];
-          moment -= sprocket.moment_of(roller.position, aside);
+          push<width>(rollers, force, on_roller);
+          on_sprocket[0] -= force[0];
+          on_sprocket[1] -= force[1];
         }
-      const P on_roller = roller.moment_of(point, force);
-      for (int i = 0; i < width; ++i)
-        {
-          bodies.of(planar_force)[slots[i]] += force[0][i];
-          bodies.of(planar_force + 1)[slots[i]] += force[1][i];
-          bodies.of(planar_moment)[slots[i]] += on_roller[i];
-        }
-      on_sprocket[0] -= force[0];
-      on_sprocket[1] -= force[1];
-      moment -= sprocket.moment_of(point, force);
     }
   law.book(energies);
-  teeth.force[0] = teeth.force[1] = teeth.moment = 0.;
-  for (int i = 0; i < width; ++i)
-    {
-      teeth.force[0] += on_sprocket[0][i];
-      teeth.force[1] += on_sprocket[1][i];
-      teeth.moment += moment[i];
-    }
+  teeth.force[0] = sum_of(on_sprocket[0]);
+  teeth.force[1] = sum_of(on_sprocket[1]);
+  teeth.moment   = sum_of(moment);
 }
 
 template <int width>

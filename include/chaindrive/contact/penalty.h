@@ -179,10 +179,72 @@ CHAINDRIVE_ALWAYS_INLINE Number length(const Number (&v)[2])
 {
   return square_root(v[0] * v[0] + v[1] * v[1]);
 }
+
+/// What friction does in update_touch(), which has found the normal force, along one tangent: the
+/// return mappings are limits of two numbers, without a division.
 template <typename Number>
-CHAINDRIVE_ALWAYS_INLINE Number length(const Number (&v)[1])
+CHAINDRIVE_ALWAYS_INLINE void slide(const scene::ContactLawOf<Number> &law,
+                                    const Number (&slip_rate)[1],
+                                    const Number                   dt,
+                                    const TouchStateOf<Number, 1> &before,
+                                    TouchStateOf<Number, 1>       &touch,
+                                    ContactEnergies<Number>       &energies)
 {
-  return greatest(v[0], Number(0.) - v[0]);
+  const Number zero(0.), half(0.5), stiffness = law.tangential_stiffness;
+  const auto   within = [&zero](const Number &x, const Number &limit) {
+    return greatest(zero - limit, least(limit, x));
+  };
+  const Number limit     = law.friction * touch.normal;
+  const Number increment = dt * slip_rate[0];
+  // the same for all contacts of a law: found once
+  const Number compliance = Number(1.) / greatest(stiffness, Number(1e-300));
+  touch.slip[0]           = within(before.slip[0] + increment, limit * compliance);
+  touch.tangential[0] =
+      within(zero - stiffness * touch.slip[0] - law.tangential_damping * slip_rate[0], limit);
+  const Number work   = (before.tangential[0] + touch.tangential[0]) * increment;
+  const Number growth = (touch.slip[0] + before.slip[0]) * (touch.slip[0] - before.slip[0]);
+  energies.stored += half * stiffness * touch.slip[0] * touch.slip[0];
+  energies.friction_loss -= half * (work + stiffness * growth);
+}
+
+/// The same along two tangents.
+template <typename Number>
+CHAINDRIVE_ALWAYS_INLINE void slide(const scene::ContactLawOf<Number> &law,
+                                    const Number (&slip_rate)[2],
+                                    const Number                   dt,
+                                    const TouchStateOf<Number, 2> &before,
+                                    TouchStateOf<Number, 2>       &touch,
+                                    ContactEnergies<Number>       &energies)
+{
+  const Number zero(0.), half(0.5);
+  const Number limit        = law.friction * touch.normal;
+  const auto   within_limit = [&limit](const Number &size) {
+    return if_less(limit, size, limit / size, Number(1.));
+  };
+  Number increment[2], elastic[2];
+  for (int d = 0; d < 2; ++d)
+    {
+      increment[d] = dt * slip_rate[d];
+      elastic[d]   = before.slip[d] + increment[d];
+    }
+  const Number elastic_part = within_limit(law.tangential_stiffness * length(elastic));
+  for (int d = 0; d < 2; ++d)
+    {
+      touch.slip[d] = elastic_part * elastic[d];
+      touch.tangential[d] =
+          zero - law.tangential_stiffness * touch.slip[d] - law.tangential_damping * slip_rate[d];
+    }
+  const Number part = within_limit(length(touch.tangential));
+  Number       work(0.), square(0.), growth(0.);
+  for (int d = 0; d < 2; ++d)
+    {
+      touch.tangential[d] = part * touch.tangential[d];
+      work += (before.tangential[d] + touch.tangential[d]) * increment[d];
+      square += touch.slip[d] * touch.slip[d];
+      growth += (touch.slip[d] + before.slip[d]) * (touch.slip[d] - before.slip[d]);
+    }
+  energies.stored += half * law.tangential_stiffness * square;
+  energies.friction_loss -= half * (work + law.tangential_stiffness * growth);
 }
 
 /// Penalty force with damping and Coulomb friction at one instant.
@@ -213,7 +275,7 @@ CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &la
                                            TouchStateOf<Number, n_tangents> &touch,
                                            ContactEnergies<Number>          &energies)
 {
-  const Number                           zero(0.), half(0.5);
+  const Number                           zero(0.);
   const TouchStateOf<Number, n_tangents> before = touch;
 
   touch.penetration = approach.penetration();
@@ -226,33 +288,6 @@ CHAINDRIVE_ALWAYS_INLINE void update_touch(const scene::ContactLawOf<Number> &la
   if (!with_friction)
     return;
 
-  const Number limit        = law.friction * touch.normal;
-  const auto   within_limit = [&limit](const Number &size) {
-    return if_less(limit, size, limit / size, Number(1.));
-  };
-  Number increment[n_tangents], elastic[n_tangents];
-  for (int d = 0; d < n_tangents; ++d)
-    {
-      increment[d] = dt * slip_rate[d];
-      elastic[d]   = before.slip[d] + increment[d];
-    }
-  const Number elastic_part = within_limit(law.tangential_stiffness * length(elastic));
-  for (int d = 0; d < n_tangents; ++d)
-    {
-      touch.slip[d] = elastic_part * elastic[d];
-      touch.tangential[d] =
-          zero - law.tangential_stiffness * touch.slip[d] - law.tangential_damping * slip_rate[d];
-    }
-  const Number part = within_limit(length(touch.tangential));
-  Number       work(0.), square(0.), growth(0.);
-  for (int d = 0; d < n_tangents; ++d)
-    {
-      touch.tangential[d] = part * touch.tangential[d];
-      work += (before.tangential[d] + touch.tangential[d]) * increment[d];
-      square += touch.slip[d] * touch.slip[d];
-      growth += (touch.slip[d] + before.slip[d]) * (touch.slip[d] - before.slip[d]);
-    }
-  energies.stored += half * law.tangential_stiffness * square;
-  energies.friction_loss -= half * (work + law.tangential_stiffness * growth);
+  slide(law, slip_rate, dt, before, touch, energies);
 }
 } // namespace chaindrive::contact

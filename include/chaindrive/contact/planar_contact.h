@@ -55,8 +55,8 @@ protected:
   /// The first pair of each contact among @p pairs, which are as many for each.
   std::vector<unsigned int> contacts_among(const std::vector<unsigned int> &pairs) const;
 
-  /// Evaluates with @p radius [m] of the slaves and @p dt [s].
-  PlanarContacts arguments(double radius, double dt);
+  /// Evaluates with @p dt [s].
+  PlanarContacts arguments(double dt);
 
   /// Books @p energies, since the last evaluation of what is stored, in the ledger of @p world.
   static void book(const PlanarEnergies &energies, World &world);
@@ -85,6 +85,7 @@ private:
 
   unsigned int                  multiplicity_;
   std::vector<unsigned int>     joint_, slave_; ///< [place], 0 of a place without a contact
+  std::vector<unsigned int>     in_order_;      ///< places with a contact, as in near()
   mutable bool                  presses_are_known_ = false;
   dealii::AlignedVector<double> touch_; ///< [PlanarTouchEntry][place]
 };
@@ -104,12 +105,7 @@ public:
 private:
   PlanarBores(const scene::BoreFamily &family, const World &world);
 
-  struct Run
-  {
-    PlanarRun run;
-    double    radius; ///< of the slaves, m
-  };
-  std::vector<Run> runs_;
+  std::vector<PlanarRun> runs_;
 };
 
 /// Rollers on the arcs of rigid teeth.
@@ -135,11 +131,14 @@ private:
   /// Makes places for the pairs that are near.
   void place_near();
 
+  /// What kernels are told, but for the sprocket's motion.
+  PlanarTeeth arguments_of_teeth();
+
   const PlanarBodies           &bodies_;
   std::vector<PlanarSegment>    segments_;
   std::vector<double>           turns_;      ///< cosine and sine of the angle of each gap's sector
   std::vector<double>           shifted_;    ///< of the gaps themselves, if others
-  std::vector<unsigned int>     slot_, gap_; ///< [place]
-  dealii::AlignedVector<double> known_;      ///< [KnownNearest][place]
+  std::vector<unsigned int>     slot_, gap_; ///< see PlanarTeeth
+  dealii::AlignedVector<double> known_;      ///< likewise
 };
 } // namespace chaindrive::contact
