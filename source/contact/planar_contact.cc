@@ -124,6 +124,7 @@ void PlanarContact::take_states()
       const bool       is_there             = first_pair_[place] != none;
       const Record     record               = is_there ? records_[first_pair_[place]] : Record{};
       const TouchState state                = is_there ? states_[first_pair_[place]] : TouchState{};
+      of(planar_touch_aside)[place]         = 0.; // until it is evaluated
       of(planar_touch_penetration)[place]   = state.penetration;
       of(planar_touch_normal)[place]        = multiplicity_ * state.normal;
       of(planar_touch_slip)[place]          = state.slip[0];
@@ -161,9 +162,10 @@ void PlanarContact::update_records() const
           state.tangential[0] = tangential;
           if (gap < 0.)
             {
-              record.force[0] = normal * x - tangential * y;
-              record.force[1] = normal * y + tangential * x;
-              record.feature  = features() != nullptr ? features()[place] : 0;
+              const double along = tangential + share * of(planar_touch_aside)[place];
+              record.force[0]    = normal * x - along * y;
+              record.force[1]    = normal * y + along * x;
+              record.feature     = features() != nullptr ? features()[place] : 0;
             }
         }
     }
@@ -188,13 +190,15 @@ PlanarContact::contacts_among(const std::vector<unsigned int> &pairs) const
 void PlanarContact::add_joint_forces(std::vector<dealii::Tensor<1, 3>> &forces) const
 {
   const double *normal = of(planar_touch_normal), *tangential = of(planar_touch_tangential),
-               *x = of(planar_touch_direction), *y = of(planar_touch_direction + 1);
+               *aside = of(planar_touch_aside), *x = of(planar_touch_direction),
+               *y = of(planar_touch_direction + 1);
   for (unsigned int place = 0; place < n_places(); ++place)
     if (normal[place] > 0.) // nowhere without a contact
       {
         dealii::Tensor<1, 3> &force = forces[joint_[place]];
-        force[0] += normal[place] * x[place] - tangential[place] * y[place];
-        force[1] += normal[place] * y[place] + tangential[place] * x[place];
+        const double          along = tangential[place] + aside[place];
+        force[0] += normal[place] * x[place] - along * y[place];
+        force[1] += normal[place] * y[place] + along * x[place];
       }
 }
 
@@ -247,13 +251,14 @@ const std::vector<SurfaceContact::Press> &PlanarContact::presses() const
   presses_.clear();
   const double  share = 1. / multiplicity_;
   const double *gap = of(planar_touch_gap), *normals = of(planar_touch_normal),
-               *tangentials = of(planar_touch_tangential), *xs = of(planar_touch_direction),
-               *ys             = of(planar_touch_direction + 1);
+               *tangentials = of(planar_touch_tangential), *asides = of(planar_touch_aside),
+               *xs = of(planar_touch_direction), *ys = of(planar_touch_direction + 1);
   const unsigned int *features = this->features();
   for (const unsigned int place : in_order_)
     if (gap[place] < 0.)
       {
-        const double normal = share * normals[place], tangential = share * tangentials[place];
+        const double normal = share * normals[place],
+                     along  = share * (tangentials[place] + asides[place]);
         const double x = xs[place], y = ys[place];
         Press        press{slave_[place],
                     joint_[place],
@@ -263,8 +268,8 @@ const std::vector<SurfaceContact::Press> &PlanarContact::presses() const
                     gap[place],
                     {},
                     {}};
-        press.force[0]     = normal * x - tangential * y;
-        press.force[1]     = normal * y + tangential * x;
+        press.force[0]     = normal * x - along * y;
+        press.force[1]     = normal * y + along * x;
         press.direction[0] = x;
         press.direction[1] = y;
         press.normal       = press.force * press.direction;

@@ -371,7 +371,8 @@ void press_bores_of(PlanarSlots           bodies,
                   push_oval<width>(masters, at, pressed);
                   // from centre to centre; the normal turns by 1 / distance backwards along the
                   // tangent (-n_y, n_x)
-                  const P along    = pressed * sideways(at.slope, turns[i]);
+                  const P along = pressed * sideways(at.slope, turns[i]);
+                  along.store(touch.of(planar_touch_aside));
                   const P aside[2] = {P(0.) - along * normal[1], along * normal[0]},
                           back[2]  = {along * normal[1], P(0.) - along * normal[0]};
                   P axis[2];
@@ -520,6 +521,7 @@ void press_teeth_of(PlanarSlots           bodies,
                 climbed[i].upwards.energy(greatest(P(0.), P(0.) - pair.gap)) * climbed[i].climbs;
           if (ovals || curved) // at the roller's axis
             {
+              (P(0.) - along).store(touch.of(planar_touch_aside));
               const P aside[2] = {along * normal[1], P(0.) - along * normal[0]};
               P       axis[2];
               for (unsigned int d = 0; d < 2; ++d)

@@ -12,8 +12,8 @@
 namespace chaindrive::contact
 {
 /// What is known of a contact in the plane, [PlanarTouchEntry][place]: TouchStateOf with one
-/// tangent and what Record has of its last evaluation. Rows that Rows finds for nothing; there is
-/// none with the number 3.
+/// tangent and what Record has of its last evaluation. Rows that Rows finds for nothing, but for
+/// the one with the number 3, which few contacts have.
 enum PlanarTouchEntry : unsigned int
 {
   planar_touch_room = 0, ///< what its gap begins with: of a cylinder in a bore the clearance,
@@ -21,12 +21,13 @@ enum PlanarTouchEntry : unsigned int
                          ///< so that it never touches
   planar_touch_penetration = 1, ///< m
   planar_touch_normal      = 2, ///< force along the normal, N
-  planar_touch_slip        = 4, ///< m
-  planar_touch_tangential  = 5, ///< N
-  planar_touch_gap         = 6, ///< m
-  planar_touch_direction   = 7, ///< of the normal of the last touch, x and y, unit
-  planar_touch_approach    = 9, ///< along that normal, m/s
-  n_planar_touch_entries   = 10
+  planar_touch_aside      = 3, ///< force along the tangent besides friction, of ovals and curves, N
+  planar_touch_slip       = 4, ///< m
+  planar_touch_tangential = 5, ///< N
+  planar_touch_gap        = 6, ///< m
+  planar_touch_direction  = 7, ///< of the normal of the last touch, x and y, unit
+  planar_touch_approach   = 9, ///< along that normal, m/s
+  n_planar_touch_entries  = 10
 };
 
 /// Energies that an evaluation adds to, J.
