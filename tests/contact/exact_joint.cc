@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Reduced rollers and links on whose bushes they are, without penalty, collide, spinning and with
 // friction, in two batches: on two ranks joints reach from one rank to the other. Momentum stays,
-// and its moment. Without friction the balance of energies closes with more than the square of the
-// step, down to 3e-5 of what moves, which the geometry of displaced nodes leaves. The same on any
+// and its moment. The balance of energies closes with the square of the step, with friction as
+// without, down to 3e-5 of what moves: normal forces act across the bore as it is deformed. Along
+// the ray through a node instead they would leave 0.1 % of what friction takes. The same on any
 // number of ranks and with a search at every step. The limit of the step is that of roller
 // and link with the nodes of a window closed between them.
 #include "../support/reduced.h"
@@ -250,6 +251,7 @@ int main(int argc, char **argv)
   const bool    first  = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   const double  dt     = 2e-7;
   const Outcome rubbed = collide(true, dt, MPI_COMM_WORLD),
+                sooner = collide(true, 2. * dt, MPI_COMM_WORLD),
                 coarse = collide(false, 2. * dt, MPI_COMM_WORLD),
                 fine   = collide(false, dt, MPI_COMM_WORLD),
                 always = collide(true, dt, MPI_COMM_WORLD, true);
@@ -261,20 +263,22 @@ int main(int argc, char **argv)
       stability::step_limit(system.world, system.bars, system.forces, system.contacts, 0.);
   if (with_numbers)
     std::cerr << "limit " << limit << " together " << limit_together(scene) << ", imbalance "
-              << rubbed.imbalance << ' ' << coarse.imbalance << ' ' << fine.imbalance << ", stored "
-              << coarse.stored << ", friction " << rubbed.friction << ", linear " << rubbed.linear
-              << " angular " << coarse.angular << ' ' << rubbed.angular << ", search "
-              << difference(always, rubbed) << '\n';
+              << sooner.imbalance << ' ' << rubbed.imbalance << ' ' << coarse.imbalance << ' '
+              << fine.imbalance << ", stored " << coarse.stored << ", friction " << rubbed.friction
+              << ", linear " << rubbed.linear << " angular " << coarse.angular << ' '
+              << rubbed.angular << ", search " << difference(always, rubbed) << '\n';
   verdict("the limit is that of roller and link together to 1e-3 and above the step",
           std::abs(limit / limit_together(scene) - 1.) < 1e-3 && limit > 2. * dt);
   verdict("momentum kept to 1e-10", rubbed.linear < 1e-10);
-  verdict("angular momentum to 1e-10, with friction to 1e-7",
-          coarse.angular < 1e-10 && rubbed.angular < 1e-7);
+  verdict("angular momentum to 1e-10, with friction to 2e-8",
+          coarse.angular < 1e-10 && rubbed.angular < 2e-8);
   verdict("walls store more than 0.1 % of the energy", coarse.stored > 1e-3);
   verdict("friction takes more than 0.1 % of the energy", rubbed.friction > 1e-3);
   verdict("imbalance below 1e-3 of the energy", rubbed.imbalance < 1e-3 && coarse.imbalance < 1e-3);
   verdict("and more than 4 times smaller at half of the step",
           coarse.imbalance > 4. * fine.imbalance);
+  verdict("3 times with friction, of which it is less than 1e-3",
+          sooner.imbalance > 3. * rubbed.imbalance && rubbed.imbalance < 1e-3 * rubbed.friction);
   verdict("no contact missed", rubbed.missed + coarse.missed + fine.missed == 0);
   verdict("the same as with a search at every step to 1e-8 m/s", difference(always, rubbed) < 1e-8);
 }

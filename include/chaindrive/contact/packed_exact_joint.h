@@ -267,7 +267,14 @@ void press_of(const JointArguments &arg, const WindowNodes &nodes, const int lan
                    arg.law.friction > 0.,
                    touch,
                    energies);
-      apply_touch(arg, lane, joints, m, motion, state_at, changes, touch, total);
+      // forces are the derivatives of the energy: gaps change along a bore that is not round
+      const P *first = m.corner[0], *second = m.corner[1];
+      const P  farther = second[0] * second[0] + second[1] * second[1] - first[0] * first[0] -
+                        first[1] * first[1],
+              side = square_root(motion.side[0] * motion.side[0] + motion.side[1] * motion.side[1]);
+      const P slope[2] = {farther / ((m.radius + m.radius) * side),
+                          motion.rise[0] / motion.rise[1]};
+      apply_touch(arg, lane, joints, m, motion, state_at, changes, touch, total, slope);
     }
   for (int l = 0; l < width; ++l)
     {

@@ -105,6 +105,7 @@ CHAINDRIVE_ALWAYS_INLINE void clear_sums(const int lane, JointSums &sums)
 
 /// After update_touch(): what the slave nodes of the lanes that have something to do, @p changes,
 /// remember from now on, at @p state_at, and their forces on both sides, which @p total sums up.
+/// @p slope is that of the bore round its axis and along it: a normal force acts across it.
 template <int width>
 CHAINDRIVE_ALWAYS_INLINE void apply_touch(const JointArguments              &arg,
                                           const int                          lane,
@@ -114,7 +115,8 @@ CHAINDRIVE_ALWAYS_INLINE void apply_touch(const JointArguments              &arg
                                           const unsigned int (&state_at)[width],
                                           const bool (&changes)[width],
                                           const TouchStateOf<Pack<double, width>> &touch,
-                                          Pack<double, width> (&total)[3])
+                                          Pack<double, width> (&total)[3],
+                                          const Pack<double, width> (&slope)[2])
 {
   using P = Pack<double, width>;
   const P            zero(0.);
@@ -135,15 +137,17 @@ CHAINDRIVE_ALWAYS_INLINE void apply_touch(const JointArguments              &arg
       arg.sums->touching[lane + l] += touches[l];
     }
 
-  const P(&e)[2]   = motion.ray;
-  const P local[3] = {zero - touch.normal * e[0] - touch.tangential[0] * e[1],
-                      touch.tangential[0] * e[0] - touch.normal * e[1],
-                      touch.tangential[1]};
+  const P(&e)[2]        = motion.ray;
+  const P tangential[2] = {touch.tangential[0] + touch.normal * slope[0],
+                           touch.tangential[1] + touch.normal * slope[1]};
+  const P local[3]      = {zero - touch.normal * e[0] - tangential[0] * e[1],
+                           tangential[0] * e[0] - touch.normal * e[1],
+                           tangential[1]};
   P       force[3];
   out_of_frame(joints.axes, local, force);
   for (int i = 0; i < 3; ++i)
     total[i] += force[i];
-  scatter(arg, lane, joints, m, motion, force, touch.tangential, touches);
+  scatter(arg, lane, joints, m, motion, force, tangential, touches);
 }
 
 /// One slave node per lane and how it meets the bore. A gap that counts nowhere is a metre.
@@ -310,7 +314,8 @@ CHAINDRIVE_ALWAYS_INLINE void touch_nodes(const JointArguments                 &
   bool    changes[width];
   for (int l = 0; l < width; ++l)
     changes[l] = now_or_before[l] > 0.;
-  apply_touch(arg, lane, joints, v.meeting, motion, state_at, changes, touch, total);
+  const P along_ray[2] = {zero, zero};
+  apply_touch(arg, lane, joints, v.meeting, motion, state_at, changes, touch, total, along_ray);
 }
 
 /// Contact forces of the joints in lanes @p lane to lane + width - 1.
