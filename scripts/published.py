@@ -368,7 +368,7 @@ def losses_topic(runs):
         the polygon, r (1 - cos(180/z)) = 1 mm up and down with each tooth, and sends waves into the chain, which friction in the joints
         takes up. The power of these waves follows from the polygon, the tension and the mass per metre alone: sqrt(T m) (w A)^2 / 2 at
         each end for each harmonic of the tooth frequency up to the highest frequency that a row of links transmits, 800 Hz in the tight
-        span, 130 to 250 Hz in the slack one (`power_of_waves()` in `scripts/published_theory.py`). Pins, with the closed form at
+        span, 130 to 250 Hz in the slack one (`power_of_waves()` in `scripts/published_theory.py`, test `runs/waves`). Pins, with the closed form at
         the tensions of the run:""",
                 "\n".join(["| drive, 15/15 teeth unless said otherwise | articulation (W) | waves (W) | chaindrive (W) | less articulation (W) | deviation from both | verdict | "
                            "tight, slack tension (N) |", "| --- | --- | --- | --- | --- | --- | --- | --- |", *spans]),
