@@ -115,27 +115,26 @@ def articulation_losses(run, mu, pin, bush):
     360 / z degrees as it meets and as it leaves a sprocket. Where the outer link turns, the pin bears the tension of the span. Where
     the inner link turns, it bears the tension behind the roller, and the bush turns in the roller, with the force of the tooth."""
     spans = {span["label"]: span["tension"] - run.drive["centrifugal_tension"] for span in run.drive["spans"]}
+    return articulation_under(spans["tight"], spans["slack"], run, mu, pin, bush)
+
+
+def articulation_under(tight, slack, run, mu, pin, bush):
+    """articulation_losses() under these tensions, without centrifugal ones, N."""
     pins = rollers = 0
     for z in run.sprockets:
         turn = 2 * math.pi / z
         angle = np.linspace(0, turn, 201)
         behind = np.mean(np.sin(pressure_angle(z)) / np.sin(pressure_angle(z) + angle))
         tooth = np.mean(np.sin(angle) / np.sin(pressure_angle(z) + angle))
-        pins += mu * pin / 2 * turn * (spans["tight"] * (1 + behind) / 2 + spans["slack"])
-        rollers += mu * bush / 2 * turn * spans["tight"] * tooth / 2
+        pins += mu * pin / 2 * turn * (tight * (1 + behind) / 2 + slack)
+        rollers += mu * bush / 2 * turn * tight * tooth / 2
     return pins / run.pitch_time, rollers / run.pitch_time
 
 
-def articulation_of(run, mu, pin):
-    """Of articulation_losses() what pins and bushes lose, W, with the mean tensions of the run in place of the plan's."""
+def articulation_of(run, mu, pin, bush):
+    """articulation_losses(), W, with the mean tensions of the run in place of the plan's."""
     tight, slack = (run.summary[f"{label}_tension_mean"] - run.drive["centrifugal_tension"] for label in ("tight", "slack"))
-    lost = 0
-    for z in run.sprockets:
-        turn = 2 * math.pi / z
-        angle = np.linspace(0, turn, 201)
-        behind = np.mean(np.sin(pressure_angle(z)) / np.sin(pressure_angle(z) + angle))
-        lost += mu * pin / 2 * turn * (tight * (1 + behind) / 2 + slack)
-    return lost / run.pitch_time
+    return articulation_under(tight, slack, run, mu, pin, bush)
 
 
 def power_of_waves(run):
