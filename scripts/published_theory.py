@@ -115,12 +115,42 @@ def articulation_losses(run, mu, pin, bush):
     360 / z degrees as it meets and as it leaves a sprocket. Where the outer link turns, the pin bears the tension of the span. Where
     the inner link turns, it bears the tension behind the roller, and the bush turns in the roller, with the force of the tooth."""
     spans = {span["label"]: span["tension"] - run.drive["centrifugal_tension"] for span in run.drive["spans"]}
+    return articulation_under(spans["tight"], spans["slack"], run, mu, pin, bush)
+
+
+def articulation_under(tight, slack, run, mu, pin, bush):
+    """articulation_losses() under these tensions, without centrifugal ones, N."""
     pins = rollers = 0
     for z in run.sprockets:
         turn = 2 * math.pi / z
         angle = np.linspace(0, turn, 201)
         behind = np.mean(np.sin(pressure_angle(z)) / np.sin(pressure_angle(z) + angle))
         tooth = np.mean(np.sin(angle) / np.sin(pressure_angle(z) + angle))
-        pins += mu * pin / 2 * turn * (spans["tight"] * (1 + behind) / 2 + spans["slack"])
-        rollers += mu * bush / 2 * turn * spans["tight"] * tooth / 2
+        pins += mu * pin / 2 * turn * (tight * (1 + behind) / 2 + slack)
+        rollers += mu * bush / 2 * turn * tight * tooth / 2
     return pins / run.pitch_time, rollers / run.pitch_time
+
+
+def articulation_of(run, mu, pin, bush):
+    """articulation_losses(), W, with the mean tensions of the run in place of the plan's."""
+    tight, slack = (run.summary[f"{label}_tension_mean"] - run.drive["centrifugal_tension"] for label in ("tight", "slack"))
+    return articulation_under(tight, slack, run, mu, pin, bush)
+
+
+def power_of_waves(run):
+    """Power, W, that the polygons send into the spans as transverse waves. Each end of a span follows an arc of 360 / z degrees again
+    and again, across the span a parabola of the height h = r (1 - cos(180 / z)), whose harmonic n has the amplitude 4 h / (pi n)^2 at
+    n times the tooth frequency. With tension T and mass per metre m a string takes sqrt(T m) (w A)^2 / 2 of each, a row of links
+    of the pitch p sqrt(1 - (f / f_c)^2) times as much up to the frequency f_c = sqrt(T / m) / (pi p), and nothing above. Waves that
+    come back are not counted."""
+    mass, pitch, power = run.drive["mass_per_metre"], run.drive["pitch"], 0
+    for label in ("tight", "slack"):
+        tension = run.summary[f"{label}_tension_mean"]
+        cut = math.sqrt(tension / mass) / math.pi / pitch
+        for z in run.sprockets:
+            height = radius(z, pitch) * (1 - math.cos(math.pi / z))
+            for order in range(1, math.ceil(cut * run.pitch_time)):
+                frequency = order / run.pitch_time
+                speed = 2 * math.pi * frequency * 4 * height / (math.pi * order) ** 2
+                power += 0.5 * math.sqrt(tension * mass) * speed ** 2 * math.sqrt(1 - (frequency / cut) ** 2)
+    return power

@@ -5,6 +5,7 @@
 // they met, and each to 0.08. Those that stay round are slower by more than 0.1, and so are, by
 // 0.07, ovals whose contact has all of the damping.
 #include "../support/exact_roller.h"
+#include "../support/planar_roller.h"
 
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/drive/roller_ring.h>
@@ -103,6 +104,79 @@ double rebound_of_rigid(const std::string                      &chain,
   advance(system, 100, dt, []() {});
   return (before - apart()) / (100 * dt) / speed;
 }
+/// What becomes of a roller that meets a tooth at the end of its seat, with no bush near: by how
+/// much of its speed it leaves, and the largest force, N.
+struct OnTooth
+{
+  double kept = 0., peak = 0.;
+};
+
+/// Throws body 0 of @p scene, along y or x, at body @p sprocket.
+OnTooth on_tooth(const scene::Scene &scene,
+                 const unsigned int  sprocket,
+                 const unsigned int  axis,
+                 const double        time,
+                 const double        dt)
+{
+  dynamics::System system(scene, false);
+  OnTooth          found;
+  const auto       n = static_cast<unsigned long>(time / dt);
+  advance(system, n, dt, [&]() {
+    World       &world = system.world;
+    const Ledger kept  = world.ledger;
+    world.clear_forces();
+    system.contacts.add_forces(world, 0.);
+    world.ledger = kept;
+    Vector3 force;
+    for (unsigned int d = 0; d < 2; ++d)
+      force[d] = world.force.local_element(3 * sprocket + d);
+    found.peak = std::max(found.peak, force.norm());
+  });
+  const double before = system.world.frames[0].position[axis];
+  advance(system, n / 4, dt, []() {});
+  found.kept = (system.world.frames[0].position[axis] - before) / (n / 4 * dt) / speed;
+  return found;
+}
+
+OnTooth elastic_on_tooth(const std::string &chain, const double tooth, const double time)
+{
+  Case c;
+  c.chain            = chain;
+  c.fine             = false;
+  c.stiffness        = tooth;
+  c.above            = 1e-7;
+  c.speed            = speed;
+  scene::Scene scene = make(c);
+  // the link waits in the middle of the play
+  scene.bodies[2].initial.position += vector(0., bush_clearance(size_of(chain).chain));
+  scene.bodies[2].initial.velocity = Vector3();
+  const double dt                  = 0.75 * dynamics::System(scene, false).critical_time_step();
+  return on_tooth(scene, 1, 1, time, dt);
+}
+
+OnTooth rigid_on_tooth(const std::string                      &chain,
+                       const double                            mass,
+                       const scene::ContactLaw                &law,
+                       const std::optional<drive::RollerRing> &oval,
+                       const double                            time)
+{
+  const Size             &size   = size_of(chain);
+  const drive::ToothForm &form   = size.sprocket.form;
+  const double            radius = 0.5 * size.chain.roller_diameter;
+  scene::Scene            scene  = empty_scene();
+  scene.planar                   = true;
+  scene.oval                     = oval;
+  scene.bodies                   = {body(scene::Motion::rigid,
+                       scene::Mount::free(),
+                       mass,
+                       vector(1e-8, 1e-8, 2e-8),
+                       vector(0.5 * form.root_diameter + radius + 1e-7, 0.),
+                       vector(-speed, 0.))};
+  planar_roller::add_teeth(scene, form);
+  scene.teeth[0].law              = law;
+  scene.teeth[0].slaves[0].radius = radius;
+  return on_tooth(scene, 1, 0, time, 2e-8);
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -136,6 +210,37 @@ int main(int argc, char **argv)
       const double round = rebound_of_rigid(chain, thrown, law({}), {}),
                    oval  = rebound_of_rigid(chain, thrown, law(ring), ring),
                    slow  = rebound_of_rigid(chain, thrown, all, ring);
+      if (with_numbers) // as in doc/theory.md
+        {
+          const auto at_end = statics::at_force(
+              [&](const unsigned int n) {
+                return library.pressed_roller(size.chain,
+                                              size.sprocket,
+                                              size.sprocket_width,
+                                              n,
+                                              statics::seat_end(size.sprocket.form));
+              },
+              size.load);
+          const double  k_tooth = size.load / at_end.approach[0];
+          const OnTooth right =
+              elastic_on_tooth(chain, size.load / at_end.given_way.back(), 0.7 * thrown.time);
+          const auto show = [&](const char                             *what,
+                                const std::optional<drive::RollerRing> &oval,
+                                const double                            share) {
+            scene::ContactLaw it =
+                scene::make_tooth_law(contact, k_tooth, thrown.roller_mass, 0., oval);
+            it.damping *= share;
+            const OnTooth of =
+                rigid_on_tooth(chain, thrown.roller_mass, it, oval, 0.7 * thrown.time);
+            std::cerr << ", " << what << ' ' << of.kept << " and " << of.peak / right.peak;
+          };
+          std::cerr << chain << " on a tooth: elastic keeps " << right.kept << ", peak 1";
+          show("round", {}, 1.);
+          show("oval", ring, 1.);
+          show("oval with all of the damping", ring, 2.);
+          show("oval with none", ring, 0.);
+          std::cerr << "\n";
+        }
       if (with_numbers)
         std::cerr << chain << ": elastic " << elastic << ", oval " << oval
                   << ", with all of the damping " << slow << ", round " << round << '\n';

@@ -17,7 +17,8 @@ namespace chaindrive::scene
 /// become an @p oval carry a part of that themselves, and give it back. Theirs is half of the
 /// ratio, with the masses that feel each other at once: those of the roller and its oval in series,
 /// and the link's. This is what an elastic roller loses that is thrown at the bush of an elastic
-/// link (test contact/oval_rebound; doc/theory.md, 2). Friction that sticks keeps its damping.
+/// link; on teeth it is a compromise (test contact/oval_rebound; doc/theory.md, 2). Friction that
+/// sticks keeps its damping.
 ContactLaw make_tooth_law(const model::Contact                   &contact,
                           double                                  k,
                           double                                  roller_mass,
