@@ -260,20 +260,18 @@ const std::vector<SurfaceContact::Press> &PlanarContact::presses() const
         const double normal = share * normals[place],
                      along  = share * (tangentials[place] + asides[place]);
         const double x = xs[place], y = ys[place];
-        Press        press{slave_[place],
-                    joint_[place],
-                    features != nullptr ? features[place] : 0,
-                    multiplicity_,
-                    0.,
-                    gap[place],
-                    {},
-                    {}};
+        // where it stays: copies would wait for the numbers that make it up
+        Press &press       = presses_.emplace_back();
+        press.slave        = slave_[place];
+        press.joint        = joint_[place];
+        press.feature      = features != nullptr ? features[place] : 0;
+        press.n_points     = multiplicity_;
+        press.gap          = gap[place];
         press.force[0]     = normal * x - along * y;
         press.force[1]     = normal * y + along * x;
         press.direction[0] = x;
         press.direction[1] = y;
         press.normal       = press.force * press.direction;
-        presses_.push_back(press);
       }
   return presses_;
 }

@@ -74,6 +74,14 @@ struct Meeting
   P speed, slip; ///< of the slave against the master, along the normal and across it, m/s
 };
 
+// The loops over them stay loops: a compiler that knows that they are short would write out each
+// turn, and the code no longer fits where instructions are kept.
+#ifdef __clang__
+#define CHAINDRIVE_ROLLED _Pragma("nounroll")
+#else
+#define CHAINDRIVE_ROLLED _Pragma("GCC unroll 1")
+#endif
+
 /// How many packs are met before the first of them is pressed.
 constexpr unsigned int n_ahead = 8;
 
@@ -330,6 +338,7 @@ void press_bores_of(PlanarSlots           bodies,
         {
           const unsigned int n_met = n - first < n_ahead ? n - first : n_ahead;
           Rows               met_masters(masters), met_slaves(slaves), met(touch);
+          CHAINDRIVE_ROLLED
           for (unsigned int i = 0; i < n_met; ++i)
             {
               PlanarBody<P> master, slave;
@@ -353,6 +362,7 @@ void press_bores_of(PlanarSlots           bodies,
               met_slaves.advance(width);
               met.advance(width);
             }
+          CHAINDRIVE_ROLLED
           for (unsigned int i = 0; i < n_met;
                ++i, masters.advance(width), slaves.advance(width), touch.advance(width))
             {
@@ -441,6 +451,7 @@ void press_teeth_of(PlanarSlots           bodies,
     {
       const unsigned int left  = (teeth.n - first) / width;
       const unsigned int n_met = left < n_ahead ? left : n_ahead;
+      CHAINDRIVE_ROLLED
       for (unsigned int i = 0; i < n_met; ++i)
         {
           const unsigned int place   = first + i * width;
@@ -495,6 +506,7 @@ void press_teeth_of(PlanarSlots           bodies,
               turns[i] = nearest.turn;
             }
         }
+      CHAINDRIVE_ROLLED
       for (unsigned int i = 0; i < n_met; ++i)
         {
           const unsigned int    place   = first + i * width;

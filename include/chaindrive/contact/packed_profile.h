@@ -83,7 +83,7 @@ NearestPiece nearest_piece(const PlanarTeeth &teeth, const double (&p)[2])
 template <int width>
 double way_to_others(const PlanarTeeth &teeth, const NearestPiece &nearest, const double (&p)[2])
 {
-  constexpr double     round_off = 1e-7; // m; where two are equally near there is no telling
+  constexpr double     round_off = 1e-11; // m; where two are equally near there is no telling
   const PlanarSegment &own       = teeth.segments[nearest.segment];
   double               way       = nearest.distance, inside;
   if (nearest.end != 0 && own.corner[nearest.end - 1] == 0)
