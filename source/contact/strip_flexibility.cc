@@ -88,12 +88,13 @@ public:
     double series = 0.;
     for (unsigned int m = n_terms; m-- > 0;)
       series = (series + term_[m]) * square / (4. * PI * PI);
-    double sum    = zeta_3 + (x > 0. ? square * (0.5 * std::log(x) - 0.75) : 0.) - square * series;
-    double before = 1., cosine = std::cos(x);
+    double sum = zeta_3 + (x > 0. ? square * (0.5 * std::log(x) - 0.75) : 0.) - square * series;
+    const double first  = std::cos(x);
+    double       before = 1., cosine = first;
     for (unsigned int k = 1; k < first_; ++k)
       {
         sum -= cosine / (double(k) * k * k);
-        const double next = 2. * std::cos(x) * cosine - before;
+        const double next = 2. * first * cosine - before;
         before            = cosine;
         cosine            = next;
       }

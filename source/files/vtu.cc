@@ -141,6 +141,12 @@ private:
   std::string         &binary_;
 };
 
+/// Of @p n items, of which most have the @p components numbers that the one before has.
+std::vector<Stretch> as_before(const unsigned int components, const std::size_t n)
+{
+  return {{components * n, {{components, 0}}}};
+}
+
 /// Of an array of @p components numbers at each point of rigid bodies; none without these.
 std::vector<Stretch> at_points(const VtuGrid &grid, const unsigned int components)
 {
@@ -150,13 +156,19 @@ std::vector<Stretch> at_points(const VtuGrid &grid, const unsigned int component
   return stretches;
 }
 
-/// The same in each of @p n_cells, of which most have what the one before has.
-std::vector<Stretch>
-in_cells(const VtuGrid &grid, const unsigned int components, const std::size_t n_cells)
+std::vector<Stretch> at_points(const VtuGrid &grid, const VtuGrid::FloatData &data)
 {
-  if (grid.rigid_bodies.empty())
+  return data.repeats ? as_before(data.components, data.values.size() / data.components) :
+                        at_points(grid, data.components);
+}
+
+/// Those of rigid bodies have one number for all of a body or gap.
+std::vector<Stretch>
+in_cells(const VtuGrid &grid, const VtuGrid::FloatData &data, const std::size_t n_cells)
+{
+  if (grid.rigid_bodies.empty() && !data.repeats)
     return {};
-  return {{components * n_cells, {{components, 0}}}};
+  return as_before(data.components, n_cells);
 }
 } // namespace
 
@@ -187,17 +199,13 @@ void write_vtu(std::ostream &out, const VtuGrid &grid, const double time, VtuPac
       << arrays.add("Int32", "offsets", 1, offsets) << arrays.add("UInt8", "types", 1, types)
       << "</Cells>\n<PointData>\n";
   for (const VtuGrid::FloatData &data : grid.point_data)
-    out << arrays.add(
-        "Float32", data.name, data.components, data.values, at_points(grid, data.components));
+    out << arrays.add("Float32", data.name, data.components, data.values, at_points(grid, data));
   out << "</PointData>\n<CellData>\n";
   for (const VtuGrid::IntegerData &data : grid.cell_numbers)
     out << arrays.add("Int32", data.name, 1, data.values);
   for (const VtuGrid::FloatData &data : grid.cell_data)
-    out << arrays.add("Float32",
-                      data.name,
-                      data.components,
-                      data.values,
-                      in_cells(grid, data.components, n_cells));
+    out << arrays.add(
+        "Float32", data.name, data.components, data.values, in_cells(grid, data, n_cells));
   out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_"
       << arrays.binary() << "\n</AppendedData>\n</VTKFile>\n";
 }

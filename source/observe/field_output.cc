@@ -2,6 +2,7 @@
 #include <chaindrive/contact/geometry.h>
 #include <chaindrive/mesh/part.h>
 #include <chaindrive/observe/field_output.h>
+#include <chaindrive/utilities/gather_all.h>
 #include <chaindrive/utilities/ranks.h>
 #include <chaindrive/utilities/timing.h>
 
@@ -165,18 +166,12 @@ void add_pressures(const dynamics::System &system, std::vector<ElasticSnapshot> 
       family->add_pressures(world, own);
   for (unsigned int b = 0; b < bodies.size(); ++b)
     bodies[b].pressure.assign(bodies[b].displacement.size(), 0.);
-  std::vector<std::vector<contact::NodePressure>> of_ranks;
-  {
-    const Waiting waiting;
-    of_ranks = dealii::Utilities::MPI::all_gather(world.communicator(), own);
-  }
-  for (const auto &of_rank : of_ranks)
-    for (const contact::NodePressure &at : of_rank)
-      if (world.owns(at.body) && !bodies[at.body].pressure.empty())
-        {
-          const auto &nodes = world.copies[world.elastic_address[at.body].group].nodes;
-          bodies[at.body].pressure[nodes.vertex[at.node]] += at.pressure;
-        }
+  for (const contact::NodePressure &at : gather_all(std::move(own), world.communicator()))
+    if (world.owns(at.body) && !bodies[at.body].pressure.empty())
+      {
+        const auto &nodes = world.copies[world.elastic_address[at.body].group].nodes;
+        bodies[at.body].pressure[nodes.vertex[at.node]] += at.pressure;
+      }
 }
 
 /// Whether contacts tell of pressure.

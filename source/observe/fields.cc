@@ -265,9 +265,9 @@ void Fields::set_up(const std::vector<BodySnapshot> &bodies)
   grid_.points.resize(3 * n_points);
   grid_.point_data = {{"displacement", 3, std::vector<float>(3 * n_points)},
                       {"velocity", 3, std::vector<float>(3 * n_points)}};
-  grid_.cell_data  = {{"contact_force", 3, std::vector<float>(3 * n_cells)},
-                      {"tension", 1, std::vector<float>(n_cells)},
-                      {"tooth_load", 1, std::vector<float>(n_cells)}};
+  grid_.cell_data  = {{"contact_force", 3, std::vector<float>(3 * n_cells), true},
+                      {"tension", 1, std::vector<float>(n_cells), true},
+                      {"tooth_load", 1, std::vector<float>(n_cells), true}};
 }
 
 void Fields::write(const double                      time,
@@ -303,7 +303,7 @@ void Fields::write(const double                      time,
         }
     }
   if (shown.pressure)
-    grid_.point_data.push_back({"contact_pressure", 1, pressures_of(bodies)});
+    grid_.point_data.push_back({"contact_pressure", 1, pressures_of(bodies), true}); // few touch
   if (shown.stress)
     for (files::VtuGrid::FloatData &data : stresses_of(bodies))
       grid_.cell_data.push_back(std::move(data));

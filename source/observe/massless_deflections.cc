@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/element/elastic_part.h>
 #include <chaindrive/observe/massless_deflections.h>
-#include <chaindrive/utilities/timing.h>
-
-#include <deal.II/base/mpi.h>
-
-#include <boost/serialization/vector.hpp>
+#include <chaindrive/utilities/gather_all.h>
 
 namespace chaindrive::observe
 {
@@ -44,31 +40,25 @@ MasslessDeflections::now(const dynamics::System &system) const
     std::vector<unsigned int>      bodies;
     std::vector<reduction::Vector> forces; // on each of them, in its axes
   };
-  std::map<unsigned int, Loaded>               loaded; // by part
-  std::map<unsigned int, std::size_t>          place;  // of bodies there
-  std::vector<std::vector<contact::NodeForce>> of_ranks;
-  {
-    const Waiting waiting;
-    of_ranks = dealii::Utilities::MPI::all_gather(world.communicator(), own);
-  }
-  for (const auto &of_rank : of_ranks)
-    for (const contact::NodeForce &at : of_rank)
-      {
-        const unsigned int group = world.elastic_address[at.body].group;
-        const auto         part  = parts_.find(group);
-        if (part == parts_.end() || !world.owns(at.body))
-          continue;
-        Loaded &of_part            = loaded[group];
-        const auto [known, is_new] = place.try_emplace(at.body, of_part.bodies.size());
-        if (is_new)
-          {
-            of_part.bodies.push_back(at.body);
-            of_part.forces.emplace_back(part->second.free->n_unknowns());
-          }
-        const dealii::Tensor<1, 3> in_body = transpose(world.frames[at.body].rotation) * at.force;
-        for (unsigned int d = 0; d < 3; ++d)
-          of_part.forces[known->second][3 * at.node + d] += in_body[d];
-      }
+  std::map<unsigned int, Loaded>      loaded; // by part
+  std::map<unsigned int, std::size_t> place;  // of bodies there
+  for (const contact::NodeForce &at : gather_all(std::move(own), world.communicator()))
+    {
+      const unsigned int group = world.elastic_address[at.body].group;
+      const auto         part  = parts_.find(group);
+      if (part == parts_.end() || !world.owns(at.body))
+        continue;
+      Loaded &of_part            = loaded[group];
+      const auto [known, is_new] = place.try_emplace(at.body, of_part.bodies.size());
+      if (is_new)
+        {
+          of_part.bodies.push_back(at.body);
+          of_part.forces.emplace_back(part->second.free->n_unknowns());
+        }
+      const dealii::Tensor<1, 3> in_body = transpose(world.frames[at.body].rotation) * at.force;
+      for (unsigned int d = 0; d < 3; ++d)
+        of_part.forces[known->second][3 * at.node + d] += in_body[d];
+    }
   for (const auto &[group, of_part] : loaded)
     {
       const Part                          &part = parts_.at(group);

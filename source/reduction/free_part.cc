@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/reduction/factored_stiffness.h>
 #include <chaindrive/reduction/free_part.h>
 
-#include <deal.II/base/exceptions.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-
-#include <Amesos.h>
-#include <Epetra_LinearProblem.h>
-#include <Epetra_MultiVector.h>
 #include <algorithm>
 #include <cmath>
 
@@ -193,46 +188,10 @@ dealii::SparseMatrix<double> FreePart::supported_stiffness() const
   return supported;
 }
 
-/// Its factors by KLU, which solves for four forces at a time and without refinement.
 struct FreePart::QuickInverse
 {
-  explicit QuickInverse(const dealii::SparseMatrix<double> &stiffness)
-  {
-    matrix.reinit(stiffness);
-    // Amesos takes operators that it might change, and does not
-    problem.SetOperator(const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
-    solver.reset(Amesos().Create("Amesos_Klu", problem));
-    check(solver->SymbolicFactorization());
-    check(solver->NumericFactorization());
-  }
-
-  /// The @p forces become their displacements.
-  void solve(std::vector<Vector> &forces)
-  {
-    constexpr std::size_t at_a_time = 16; // they stay in the cache
-    for (std::size_t first = 0; first < forces.size(); first += at_a_time)
-      {
-        const int          n = std::min(at_a_time, forces.size() - first);
-        Epetra_MultiVector f(matrix.trilinos_matrix().RowMap(), n, false), u(f);
-        for (int i = 0; i < n; ++i)
-          std::copy(forces[first + i].begin(), forces[first + i].end(), f[i]);
-        problem.SetRHS(&f);
-        problem.SetLHS(&u);
-        check(solver->Solve());
-        for (int i = 0; i < n; ++i)
-          std::copy_n(u[i], forces[first + i].size(), forces[first + i].begin());
-      }
-  }
-
-  static void check(const int error)
-  {
-    AssertThrow(error == 0, dealii::ExcMessage("KLU cannot solve for displacements of a part"));
-  }
-
-  dealii::TrilinosWrappers::SparseMatrix matrix;
-  Epetra_LinearProblem                   problem;
-  std::unique_ptr<Amesos_BaseSolver>     solver;
-  std::vector<Vector>                    inertia; ///< M R of each rigid motion
+  FactoredStiffness   stiffness;
+  std::vector<Vector> inertia; ///< M R of each rigid motion
 };
 
 FreePart::~FreePart() = default;
@@ -266,8 +225,9 @@ std::vector<Vector> FreePart::displacements(const std::vector<Vector> &forces) c
 {
   if (!quick_)
     {
-      quick_ = std::make_unique<QuickInverse>(supported_stiffness());
-      quick_->inertia.assign(rigid_.size(), Vector(n_unknowns()));
+      quick_ = std::make_unique<QuickInverse>(
+          QuickInverse{FactoredStiffness(supported_stiffness()),
+                       std::vector<Vector>(rigid_.size(), Vector(n_unknowns()))});
       for (std::size_t m = 0; m < rigid_.size(); ++m)
         mass_.vmult(quick_->inertia[m], rigid_[m]);
     }
@@ -281,7 +241,7 @@ std::vector<Vector> FreePart::displacements(const std::vector<Vector> &forces) c
       for (const unsigned int i : fixed)
         u[f][i] = 0.;
     }
-  quick_->solve(u);
+  quick_->stiffness.solve(u);
   for (Vector &of_force : u)
     for (std::size_t m = 0; m < rigid_.size(); ++m)
       of_force.add(-(inertia[m] * of_force), rigid_[m]);

@@ -117,7 +117,10 @@ int main()
   std::uniform_real_distribution<float> uniform(-1.F, 1.F);
   for (std::size_t i = 0; i < 3 * n_points; ++i)
     grid.points.push_back(uniform(random));
-  grid.point_data = {{"steady", 3, std::vector<float>(3 * n_points, 0.25F)}};
+  grid.point_data = {{"steady", 3, std::vector<float>(3 * n_points, 0.25F)},
+                     {"few", 2, std::vector<float>(2 * n_points), true}};
+  for (std::size_t i = 0; i < 2 * n_points; i += 97)
+    grid.point_data[1].values[i] = uniform(random);
   for (std::size_t i = 0; i + 8 <= n_points; ++i)
     for (std::size_t v = 0; v < 8; ++v)
       grid.connectivity.push_back(static_cast<std::int32_t>(i + v));
@@ -150,6 +153,7 @@ int main()
       std::cout << "picture " << picture << std::endl;
       look("position", grid.points);
       look("steady", grid.point_data[0].values);
+      look("few", grid.point_data[1].values);
       look("connectivity", grid.connectivity);
       look("body", grid.cell_numbers[0].values);
     }

@@ -33,12 +33,6 @@ struct NodePressure
 {
   unsigned int body, node; ///< number of the part's node
   double       pressure;   ///< of all that the node stands for, Pa
-
-  template <typename BoostArchive>
-  void serialize(BoostArchive &archive, unsigned int)
-  {
-    archive &body &node &pressure;
-  }
 };
 
 /// A piece of a surface that presses another one evenly, as fine as forces between them are found.
@@ -57,12 +51,6 @@ struct NodeForce
 {
   unsigned int         body, node; ///< number of the part's node
   dealii::Tensor<1, 3> force;      ///< N, world
-
-  template <typename BoostArchive>
-  void serialize(BoostArchive &archive, unsigned int)
-  {
-    archive &body &node &force;
-  }
 };
 
 /// All contacts of one kind, each a pair of a slave and a master: a slave set, a surface and a law,

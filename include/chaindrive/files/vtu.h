@@ -26,6 +26,7 @@ struct VtuGrid
     std::string        name;
     unsigned int       components;
     std::vector<float> values;
+    bool               repeats = false; ///< most have what the one before has: makes files faster
   };
   struct IntegerData
   {
@@ -69,7 +70,8 @@ struct VtuPacked
 };
 
 /// Writes @p grid at @p time [s], compressed quickly rather than well; what hardly shrinks is
-/// stored as it is, and of rigid bodies repeats are looked for where they are (known_repeats.h).
+/// stored as it is, and of rigid bodies and of fields that repeat, repeats are looked for where
+/// they are (known_repeats.h).
 /// @p before is used and brought up to date.
 ///
 /// deal.II's own writer gives every cell its own copy of its vertices and stores cell data at these
