@@ -416,7 +416,6 @@ files::Json as_json(const parameters::StudyInput         &input,
   json["against"]   = study.against;
   for (const parameters::StudyOutput &output : parameters::study_outputs())
     json["units"][output.name] = output.unit;
-  json["bootstrap"] = {{"samples", study.samples}, {"seed", study.seed}};
   if (calibration)
     json["calibration"] = calibration->path;
   for (const Model &model : models)

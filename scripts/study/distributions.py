@@ -58,8 +58,7 @@ def levels_above(bands, reference, study):
     phases = [phase for phase in bands if phase in reference]
     found = {}
     for band in bands[phases[0]] if phases else ():
-        ratio = stats.error_interval([bands[p][band] for p in phases], [reference[p][band] for p in phases],
-                                     **study["bootstrap"])
+        ratio = stats.error_interval([bands[p][band] for p in phases], [reference[p][band] for p in phases])
         found[band] = 10. * np.log10(1. + np.array(ratio) / 100.)
     return found
 

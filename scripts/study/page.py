@@ -175,7 +175,7 @@ def draw_all(study, folder, name="chart", kind="svg", dpi=100):
 def _intervals(study):
     if _phases(study) < stats.FEWEST:
         return "without intervals, which fewer than four start phases do not give"
-    return f"with their 95 % intervals (bootstrap, {study.about['bootstrap']['samples']} samples)"
+    return "with their 95 % intervals (jackknife over the start phases)"
 
 
 def write(study, directory):

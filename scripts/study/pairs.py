@@ -21,12 +21,13 @@ import sys
 
 import outputs
 from accuracy_fit import SHOWN, percent
+from chaindrive.certainty import student
 from scatter import FILES, OUTPUTS
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLE = ROOT / "source/accuracy.tsv"
 PHASES, RUN_IN, SHORTEST = 4, 3, 6  # as of source/calibrate_command.cc
-T95 = 3.182  # Student's t of three degrees of freedom
+
 LAYERED = {"Model/Fidelity": "layered"}
 EXACT = {"Model/Fidelity": "reduced", "Model/Symmetry model": "auto", "Contact/Enforcement": "exact", "Model/Mass per pitch in g": "auto",
          "Model/Stiffness per pitch in N/m": "auto", "Contact/Roller-tooth stiffness in N/m": "auto",
@@ -70,12 +71,12 @@ def measure(file, pitch_time, window, changes, folder):
 
 
 def ratio(found, over, name):
-    return sum(found[name]) / sum(over[name]) if found[name] and over[name] and sum(over[name]) else None
+    return sum(found[name]) / sum(over[name]) if found.get(name) and over.get(name) and sum(over[name]) else None
 
 
 def log_half(values, over):
     """Half of the 95 % interval of the mean over start phases of ln(value / over), by Student's t."""
-    return T95 * statistics.stdev(math.log(a / b) for a, b in zip(values, over)) / math.sqrt(PHASES)
+    return student(PHASES - 1) * statistics.stdev(math.log(a / b) for a, b in zip(values, over)) / math.sqrt(PHASES)
 
 
 def entries_of(text):

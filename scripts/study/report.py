@@ -114,13 +114,12 @@ class Study:
         row["cpu"] = cpu.pop("total", np.nan)
         row.update(mean([run["figures"] for run in done.values()]))
         row.update({f"cpu {phase}": seconds for phase, seconds in cpu.items()})
-        how = self.about["bootstrap"]["samples"], self.about["bootstrap"]["seed"]
         for column in self.columns:
             values = {phase: run["values"].get(column, np.nan) for phase, run in done.items()}
-            row[column], row[f"{column} low"], row[f"{column} high"] = stats.mean_interval(list(values.values()), *how)
+            row[column], row[f"{column} low"], row[f"{column} high"] = stats.mean_interval(list(values.values()))
             both = [phase for phase in values if phase in all_done]
             row[f"{column} error"], row[f"{column} error low"], row[f"{column} error high"] = stats.error_interval(
-                [values[phase] for phase in both], [all_done[phase]["values"].get(column, np.nan) for phase in both], *how)
+                [values[phase] for phase in both], [all_done[phase]["values"].get(column, np.nan) for phase in both])
         return row
 
     @staticmethod

@@ -42,9 +42,8 @@ class Curve:
         phases = [p for p in (study.done(known[0]) if known else ()) if all(p in study.done(v) for v in known)]
         if len(phases) >= stats.FEWEST:
             by_phase = np.array([[study.done(v)[p]["values"].get(OUTPUT, np.nan) for p in phases] for v in known])
-            of = np.random.default_rng(study.about["bootstrap"]["seed"]).integers(len(phases), size=(study.about["bootstrap"]["samples"], len(phases)))
-            samples = np.array([hours(self.elongations, by_phase[:, one].mean(axis=1)) for one in of])
-            self.low, self.high = np.percentile(samples, (2.5, 97.5), axis=0)
+            wide = stats.half(lambda chosen: hours(self.elongations, by_phase[:, chosen].mean(axis=1))[:len(known)], len(phases))
+            self.low, self.high = self.hours - wide, self.hours + wide
         self.limit = self._limit(study, known)
 
     @staticmethod

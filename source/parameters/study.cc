@@ -350,13 +350,5 @@ void Study::declare(Declarations &declarations)
       "Section/Entry=value, separated by semicolons, or nothing",
       "Changes made by the option --quick, so that the study takes minutes: a shorter run, fewer "
       "phases.");
-  add(declarations,
-      "Bootstrap samples",
-      samples,
-      100,
-      1000000,
-      "Number of bootstrap samples, with replacement, of the start phases, which give the 95 "
-      "percent intervals of means and errors.");
-  add(declarations, "Bootstrap seed", seed, 0, 1000000, "Seed of their random numbers.");
 }
 } // namespace chaindrive::parameters

@@ -26,8 +26,6 @@ struct Study
   unsigned int             phases = 8; ///< start phases of each variant
   unsigned int             ranks  = 1; ///< of a run; may be a loop
   std::vector<std::string> quick;      ///< "Section/Entry=value", what `--quick` changes
-  unsigned int             samples = 2000; ///< of the bootstrap
-  unsigned int             seed    = 1;    ///< of its random numbers
 
   /// Declares an entry for each member, which takes every value that is set. The object must
   /// outlive @p declarations.
