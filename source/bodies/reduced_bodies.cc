@@ -576,15 +576,17 @@ void ReducedBodies::serialize(const Archive &archive, World &world)
   if (archive.reads())
     forget_places();
   const BodyBatches &copies = world.copies[group_];
-  for (unsigned int batch = 0; batch < copies.n_batches(); ++batch)
-    if (copies.owns_batch(batch) || (archive.reads() && copies.is_shared(batch)))
-      {
-        const Archive own = archive.of_this_rank() / ("batch " + std::to_string(batch));
-        for (const auto &[name, numbers] : {std::make_pair("amplitude", &amplitude_),
-                                            std::make_pair("rate", &rate_),
-                                            std::make_pair("acceleration", &acceleration_)})
-          own.numbers(name, numbers->data() + batch * per_batch(), per_batch());
-      }
+  // by body: the order in batches depends on the number of ranks
+  for (unsigned int copy = 0; copy < copies.bodies.size(); ++copy)
+    if (const unsigned int batch = copies.batch_of(copy);
+        copies.owns_batch(batch) || (archive.reads() && copies.is_shared(batch)))
+      for (const auto &[name, numbers] : {std::make_pair("amplitude ", &amplitude_),
+                                          std::make_pair("rate ", &rate_),
+                                          std::make_pair("acceleration ", &acceleration_)})
+        archive.of_this_rank().numbers(name + std::to_string(copies.bodies[copy]),
+                                       numbers->data() + place_of(copies, copy, 0),
+                                       n_modes(),
+                                       n_lanes);
 }
 
 std::size_t ReducedBodies::memory_consumption() const

@@ -235,7 +235,7 @@ def shafts_resumed():
     program.run(file, reduced, "--output", "two", program=PROGRAM, ranks=2)
     for history in histories:
         one, two = (np.asarray(chaindrive.open(name)[f"hubs/{history}"]) for name in ("one", "two"))
-        below(f"{history} on two ranks off that on one", np.abs(one - two).max() / np.abs(one).max(), 1e-11)
+        below(f"{history} on two ranks off that on one", np.abs(one - two).max() / np.abs(one).max(), 1e-9)
 
 
 def circle(points):
@@ -554,10 +554,10 @@ def motorcycle_otherwise():
     program.run(file, {**entries, "Loads/Gravity in m/s2": 0}, "--output", "upper", program=PROGRAM)
     upper, lower = (np.asarray(chaindrive.open(name)["hubs/driven_swing_moment"]) for name in ("upper", "lower"))
     below("moment of the mirrored drive off the other, over the largest", np.abs(upper + lower)[:20].max() / np.abs(upper).max(), 1e-5)
-    elastic = {"Model/Fidelity": "reduced", "Model/Symmetry model": "true", "Time/End time in ms": 1.5, "Output/Checkpoint interval in ms": 0}
+    elastic = {"Model/Fidelity": "reduced", "Model/Symmetry model": "true", "Time/End time in ms": 1.5, "Time/Time step in us": 0.4, "Output/Checkpoint interval in ms": 0}
     program.run(file, {**entries, **elastic}, "--output", "reduced", program=PROGRAM)
     summary, moment = program.summary("reduced"), np.asarray(chaindrive.open("reduced")["hubs/driven_swing_moment"])
-    below("with elastic links: energy imbalance", summary["energy_imbalance_max"], 1e-4)
+    below("with elastic links: energy imbalance", summary["energy_imbalance_max"], 3e-5)
     below("with elastic links: momentum imbalance", summary["momentum_imbalance_max"], 1e-11)
     rigid = np.asarray(whole["hubs/driven_swing_moment"])[: moment.size].mean()
     near("with elastic links: mean moment over that of rigid ones", moment.mean() / rigid, 1, 0.2)

@@ -157,13 +157,15 @@ def resume(fidelity):
     pressed = whole["hubs/driver_plate_force"] + whole["hubs/driven_plate_force"]
     check(pressed[touching].min() > 0, "plates do not touch teeth where the run goes on")
     run("parts", {**entries, "Time/End time in ms": middle, "Output/Checkpoint interval in ms": middle})
+    shutil.copytree("parts", "two")
     parts, _ = run("parts", entries, ("--resume", "auto"), says=f"Resumed from .* at {middle:g}")
     for history, values in whole.items():
         check(values.tobytes() == parts[history].tobytes(), f"{history} is not the same after going on")
-    two, _ = run("two", {**entries, "Time/End time in ms": middle}, ranks=2)
+    # from the same state: a settled start lets round-off grow while bodies are strained for it
+    two, _ = run("two", entries, ("--resume", "auto"), ranks=2, says=f"Resumed from .* at {middle:g}")
     for history in ("spans/driven_to_driver_tension", "hubs/driver_side_force", "hubs/driven_plate_force", "links/position_z"):
-        values, n = whole[history], len(two[history])
-        below(f"{history} on two ranks", np.abs(two[history] - values[:n]).max() / np.abs(values[:n]).max(), 1e-6)
+        check(two[history].shape == whole[history].shape, f"{history} on two ranks has another length")
+        below(f"{history} on two ranks", np.abs(two[history] - whole[history]).max() / np.abs(whole[history]).max(), 1e-6)
     print(f"{len(whole)} histories are the same")
 
 
