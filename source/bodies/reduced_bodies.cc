@@ -21,9 +21,8 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene, World &world, const unsi
     , rigid_(n_rigid_entries * n_lanes)
     , moment_(3 * n_lanes)
 {
-  BodyBatches            &copies = world.copies[group_];
-  const scene::PartOf     of     = scene.bodies[copies.bodies.front()].part();
-  const reduction::Basis &basis  = *scene.bases.at(of);
+  BodyBatches        &copies = world.copies[group_];
+  const scene::PartOf of     = scene.bodies[copies.bodies.front()].part();
   reference_.resize(3 * copies.n_nodes());
   for (unsigned int i = 0; i < 3 * copies.n_nodes(); ++i)
     reference_[i] = copies.nodes.position[i / 3][i % 3];
@@ -32,7 +31,7 @@ ReducedBodies::ReducedBodies(const scene::Scene &scene, World &world, const unsi
     for (const unsigned int node :
          mesh::SurfaceNodes(*copies.part, copies.nodes, static_cast<mesh::Surface>(side)).node)
       touches[node] = 1;
-  take_basis(copies.nodes, basis, touches);
+  take_basis(copies.nodes, *scene.bases.at(of), touches);
   rigid_motions_ = reduction::rigid_motions(*copies.part, copies.nodes);
   for (Numbers *numbers : {&amplitude_, &rate_, &acceleration_, &modal_force_})
     numbers->resize(copies.n_batches() * per_batch(), 0.);
