@@ -21,16 +21,17 @@ double Equilibrium::place_on(const unsigned int    k,
 
 double Equilibrium::take_secants()
 {
-  const StiffnessCurves &curves = chain_.curves;
-  double                 change = 0.;
-  const auto             take   = [&change](double &spring, const double secant) {
+  const StiffnessCurves &curves     = chain_.curves;
+  double                 change     = 0.;
+  const auto             set_secant = [&change](double &spring, const double secant) {
     change = std::max(change, std::abs(secant / spring - 1.));
     spring = secant;
   };
   for (unsigned int k = 0; k < n_; ++k)
     {
       if (const double pull = tension(k); k % 2 == 1 && curves.per_pitch && pull > 0.)
-        take(of_links_[k], 0.5 * pull / approach_of(*curves.per_pitch, 0., pull)); // two joints
+        set_secant(of_links_[k],
+                   0.5 * pull / approach_of(*curves.per_pitch, 0., pull)); // two joints
       for (unsigned int i = 0; i < n_wheels_; ++i)
         {
           Vector       normal;
@@ -39,13 +40,14 @@ double Equilibrium::take_secants()
           if (wheels_[i].plates || !(force > 0.) || !(of_tooth || curves.roller_bush))
             continue;
           if (curves.roller_bush)
-            take(of_bushes_[k], force / approach_of(*curves.roller_bush, 0., force));
+            set_secant(of_bushes_[k], force / approach_of(*curves.roller_bush, 0., force));
           const StiffnessCurve *tooth = of_tooth ? &*curves.roller_tooth[i] : nullptr;
           const double          approach =
               tooth != nullptr ? approach_of(*tooth, place_on(k, i, depth, normal, *tooth), force) :
                                           force / chain_.tooth_stiffness;
-          take(of_seats_[k * wheels_.size() + i],
-               1. / (approach / force + (chain_.bush_clearance > 0. ? 1. / of_bushes_[k] : 0.)));
+          set_secant(
+              of_seats_[k * wheels_.size() + i],
+              1. / (approach / force + (chain_.bush_clearance > 0. ? 1. / of_bushes_[k] : 0.)));
         }
     }
   return change;

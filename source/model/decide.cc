@@ -405,11 +405,9 @@ Decision stiffness_curves(const Parameters &p, const Decision &planar)
     return off("oil films stand on contacts of one stiffness");
   if (!planar.on)
     return off("not planar: " + planar.reason);
-  return {effect,
-          true,
-          p.effects.stiffness_curves == Switch::on ?
-              switched(Switch::on, "Effects") :
-              "parts get stiffer under load, and teeth are softer higher up"};
+  if (p.effects.stiffness_curves == Switch::on)
+    return {effect, true, switched(Switch::on, "Effects")};
+  return {effect, true, "parts get stiffer under load, and teeth are softer higher up"};
 }
 
 Decision yielding_shafts(const Parameters &p)

@@ -52,7 +52,7 @@ make_scene(const mesh::RollerGrid &grid, const double stiffness, const scene::Co
                          mesh::bush_outside_first});
   scene.bores.push_back(joint);
   scene.prestress  = 1e9; // the overlap is meant
-  scene.loads.drag = 2e4; // the shrunk parts come to rest; it takes a hundredth of the limit
+  scene.loads.drag = 2e5; // the shrunk parts come to rest; it takes a hundredth of the limit
   return scene;
 }
 
@@ -154,8 +154,8 @@ int main(int argc, char **argv)
       const double share = blow_up(scene, 2000, steps);
       verdict(c.name + ": bounded at 0.98 of the limit", share > 0.99);
       const bool coupled = c.reduced && !c.mixed;
-      verdict(c.name + ": the limit is less than " + (coupled ? "6" : "15") + " % below",
-              share < 1. / (coupled ? 0.94 : 0.85));
+      verdict(c.name + ": the limit is less than " + (coupled ? "8" : "15") + " % below",
+              share < 1. / (coupled ? 0.92 : 0.85));
       if (argc > 1)
         std::cout << c.name << ": blows up at " << share << " of the limit\n";
     }

@@ -26,7 +26,8 @@ StiffnessCurve fit_stiffness(const std::vector<Approaches> &places);
 /// The force [N] of @p curve at a @p place for an @p approach [m] that is not negative.
 double force_of(const StiffnessCurve &curve, double place, double approach);
 
-/// The approach [m] with which @p curve has this @p force [N], which is not negative, at a @p place.
+/// The approach [m] with which @p curve has this @p force [N], which is not negative, at a @p
+/// place.
 double approach_of(const StiffnessCurve &curve, double place, double force);
 
 /// The largest tangent stiffness of @p curve at all of its places and approaches, N/m.
