@@ -97,12 +97,12 @@ std::vector<std::string> entries_of(const parameters::Input &input, const drive:
   const auto same = [](const std::string &value) {
     return [value](const RigidModel &) { return value; };
   };
-  const unsigned int       window  = std::max(shortest, drive::pitches_per_resonance(facts));
+  const unsigned int       window = std::max(shortest, drive::pitches_per_resonance(facts));
+  const std::string        text = "How wrong are the models for this drive? The reference, exact, "
+                                  "has reduced bodies without penalty.";
   std::vector<std::string> entries = {
       "Study/Title=Calibration of " + facts.chain + ", " + std::to_string(facts.links) + " links",
-      "Study/Text=How wrong are the models for this drive? The reference, exact, has reduced "
-      "bodies "
-      "without penalty.",
+      "Study/Text=" + text,
       "Study/Names=" + names + "exact",
       "Study/Reference=exact",
       "Study/Outputs=" + join(calibrated_outputs()),
