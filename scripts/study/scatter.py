@@ -20,6 +20,7 @@ import scipy.stats
 
 import accuracy_fit
 import outputs
+from chaindrive.certainty import student
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TABLE = ROOT / "source/accuracy.tsv"
@@ -104,12 +105,12 @@ def rows_of(found):
             pitches, outputs_ = found[drive, model]
             for output, values in outputs_.items():
                 yield ["scatter", drive, model, output, f"{100 * relative(values):.4g}", f"{pitches}", f"{len(values)}"]
-        # the bootstrap of n values has a deviation that is the root of (n - 1) / n too small; the study of the paper's drive has more runs
+        # the interval of the mean is Student's; the study of the paper's drive has more runs
         n, window = (8, 16e-3 * 1153 / 60 * 15) if drive == "fidelity" else (PHASES, found[drive, "layered"][0])
         for row in rows:
             if len(row) > 9 and row[0] == drive and row[1] == row[2] == "exact" and row[3] in OUTPUTS:
                 half = 0.5 * (float(row[6]) - float(row[5]))
-                yield ["scatter", drive, "exact", row[3], f"{half / 1.96 * n / math.sqrt(n - 1):.4g}", f"{window:.3g}", f"{n}"]
+                yield ["scatter", drive, "exact", row[3], f"{half / student(n - 1) * math.sqrt(n):.4g}", f"{window:.3g}", f"{n}"]
 
 
 def of_a_pitch(found, model, output, without=None):
