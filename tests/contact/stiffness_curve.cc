@@ -61,6 +61,23 @@ void add_teeth(scene::Scene &scene, const drive::ToothForm &form)
   scene.teeth[0].curve = teeth_of(form);
 }
 
+/// How the energy of a contact that is @p d deep at @p angle on the seat grows with the angle
+/// [J/rad]: the slope of what its force does, by Simpson's rule.
+double slope_of_energy(const drive::StiffnessCurve &curve, const double angle, const double d)
+{
+  const auto energy = [&](const double at) {
+    constexpr int n   = 200;
+    double        sum = 0.;
+    for (int i = 0; i <= n; ++i)
+      sum += (i == 0 || i == n ? 1. :
+              i % 2            ? 4. :
+                                 2.) *
+             drive::force_of(curve, 1. - std::cos(at), d * i / n);
+    return sum * d / n / 3.;
+  };
+  return (energy(angle + 1e-5) - energy(angle - 1e-5)) / 2e-5;
+}
+
 /// The largest force and the duration [s] of the impact of a roller that flies onto a bush which
 /// hardly moves.
 void collide(const Vector3               &along,
@@ -254,9 +271,17 @@ int main()
       scene.bores = {};
       add_teeth(scene, teeth);
       dynamics::System system(scene, false);
-      ratio("force on a seat at " + to_text(angle) + " rad",
-            system.contacts.families()[0]->records()[0].force.norm(),
+      const Vector3    force   = system.contacts.families()[0]->records()[0].force;
+      const Vector3    outward = vector(-std::cos(angle), std::sin(angle)),
+                    along      = vector(std::sin(angle), std::cos(angle));
+      const std::string place  = " on a seat at " + to_text(angle) + " rad";
+      ratio("force" + place,
+            std::abs(force * outward),
             drive::force_of(teeth_of(teeth), 1. - std::cos(angle), d));
+      if (angle != 0.)
+        ratio("push" + place + " towards its softer end",
+              force * along,
+              -slope_of_energy(teeth_of(teeth), angle, d) / (room + d));
     }
 
   const double coarse = rattle(4e-8), fine = rattle(2e-8);

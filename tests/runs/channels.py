@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""channels.py FIDELITY PROGRAM: every history of a small drive that runs at speed.
+"""channels.py CASE PROGRAM: every history of a small drive that runs at speed; CASE is a fidelity, or layered-curves.
 
 Each is finite wherever it has a value, moves with time unless this file says why it does not, and equals what can
 be computed again from others: velocities are slopes of positions, accelerations of velocities, speeds of angles;
@@ -21,7 +21,10 @@ import program
 from program import check
 from small_drives import RIGID
 
-FIDELITY, PROGRAM = sys.argv[1:3]
+CASE, PROGRAM = sys.argv[1:3]
+# the law of forces of rigid bodies is that of a spring and a damper without stiffness curves only
+FIDELITY = CASE.removesuffix("-curves")
+CURVES = CASE == "layered-curves"
 # what may stand still: nothing in these drives makes it move
 STILL = {
     "hubs/driver_speed": "prescribed",
@@ -45,6 +48,8 @@ def run():
         "Output/History precision": "double",
         "Contact/Friction coefficient": 0.1,
     }
+    if FIDELITY == "layered":
+        entries["Effects/Stiffness curves"] = "on" if CURVES else "off"
     if FIDELITY != "full":
         entries["Time/Time step in us"] = 0.25 if FIDELITY == "reduced" else 0.125  # several between two samples
     program.run("prm/verification/hard.prm", entries, "--output", "results", program=PROGRAM)
@@ -162,7 +167,7 @@ def main():
     histories, attributes = run()
     drive = program.summary("results")["drive"]
     time = histories.pop("time")
-    print(f"{FIDELITY}: {len(histories)} histories, {len(time)} samples")
+    print(f"{CASE}: {len(histories)} histories, {len(time)} samples")
     for name, values in sorted(histories.items()):
         columns = values.reshape(len(time), -1)
         known = ~np.isnan(columns)
@@ -192,7 +197,7 @@ def main():
     forces(histories)
     spans(histories, attributes, drive)
     links(histories)
-    if FIDELITY in ("simple", "layered"):
+    if FIDELITY in ("simple", "layered") and not CURVES:
         law_of_force(histories, slope)
     if FIDELITY == "simple":
         simple(histories, drive, slope)

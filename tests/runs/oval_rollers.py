@@ -11,7 +11,7 @@ from program import REPOSITORY, check
 from small_drives import RIGID
 
 PROGRAM = sys.argv[1]
-DRIVE = {**RIGID, "Model/Fidelity": "layered", "Model/Stiffness from": "dimensions", "Loads/Driver speed in rad/s": 240, "Loads/Ramp time in ms": 0.2,
+DRIVE = {**RIGID, "Model/Fidelity": "layered", "Model/Stiffness from": "dimensions", "Loads/Driver speed in rad/s": 240, "Loads/Ramp time in ms": 1.3,
          "Time/End time in ms": 2, "Output/Field interval in ms": 0, "Output/History interval in us": 10, "Output/Checkpoint interval in ms": 0.7}
 OVAL = {"Effects/Oval rollers": "on"}
 
@@ -27,10 +27,11 @@ def main():
     ovals, whole = run(DRIVE, PROGRAM, "oval", OVAL)
     steps = [re.search(r"all coupled ([\d.]+)", open(f"{name}/log.txt", encoding="utf-8").read())[1] for name in ("round", "oval")]
     check(0.6 < float(steps[1]) / float(steps[0]) < 0.99, f"critical steps {steps}")
-    # contacts with half of the damping vibrate longer, so more is turned over at their frequency; the error is that of the step
     _, fine = run({**DRIVE, "Time/Time step in us": 0.15}, PROGRAM, "fine", OVAL)
     lost = [summary["energy_imbalance_max"] for summary in (before, whole, fine)]
-    check(lost[1] < 4 * lost[0] and lost[2] < 1.5 * lost[0], f"energy imbalance {lost}")
+    print("energy imbalance of round rollers, of ovals, and of these at 0.15 us:", lost, "critical steps", steps)
+    # contacts with half of the damping vibrate longer, so more is turned over at their frequency; the error is that of the step
+    check(lost[1] < 4 * lost[0] and lost[2] < lost[0] and lost[2] < lost[1] / 3, f"energy imbalance {lost}")
     check(difference(ovals, round_ones, ["spans/tight_tension"]) > 1e-4, "ovals change nothing")
 
     run({**DRIVE, "Time/End time in ms": 1.1}, PROGRAM, "again", OVAL)
