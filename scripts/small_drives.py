@@ -33,3 +33,41 @@ TOUCHING_PLATES = {
     "Drive/Chain/Pin length in mm": 13.9402,
     "Drive/Layout/Start phase": 0.3,
 }
+# what a study of such a drive begins with
+STUDY_OF_RIGID = f"""
+include {REPOSITORY}/prm/paper/layered-auto.prm
+subsection Drive
+  set Number of links = 22
+  set Driver teeth = 9
+  set Driven teeth = 9
+  subsection Sprockets
+    set Driver outside diameter in mm = auto
+    set Driven outside diameter in mm = auto
+    set Driver hub diameter in mm = auto
+    set Driver bore in mm = auto
+    set Driven hub diameter in mm = auto
+    set Driven bore in mm = auto
+  end
+  subsection Layout
+    set Centre distance from = slack
+    set Slack in mm = 0.1
+  end
+end
+subsection Model
+  set Driven inertia in kg m2 = 1e-4
+  set Stiffness from = dimensions
+end
+subsection Loads
+  set Ramp time in ms = 0.5
+  set Resisting torque in N m = 20
+  set Torque ramp angle in rad = 0.01
+end
+subsection Time
+  set End time in ms = 2
+  set Time step in us = 0.25
+end
+subsection Output
+  set Field interval in ms = 0
+  set Window start in ms = 1
+end
+"""

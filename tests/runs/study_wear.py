@@ -13,6 +13,7 @@ import subprocess
 import sys
 
 from program import check
+from small_drives import STUDY_OF_RIGID
 
 if shutil.which("snakemake") is None:
     sys.exit(77)
@@ -29,42 +30,7 @@ except ModuleNotFoundError as error:
 PROGRAM, REPOSITORY = sys.argv[1], pathlib.Path(sys.argv[2])
 os.environ.pop("PYTHONPATH", None)  # what is started finds its modules by itself
 
-STUDY = """
-include {repository}/prm/paper/layered-auto.prm
-subsection Drive
-  set Number of links = 22
-  set Driver teeth = 9
-  set Driven teeth = 9
-  subsection Sprockets
-    set Driver outside diameter in mm = auto
-    set Driven outside diameter in mm = auto
-    set Driver hub diameter in mm = auto
-    set Driver bore in mm = auto
-    set Driven hub diameter in mm = auto
-    set Driven bore in mm = auto
-  end
-  subsection Layout
-    set Centre distance from = slack
-    set Slack in mm = 0.1
-  end
-end
-subsection Model
-  set Driven inertia in kg m2 = 1e-4
-  set Stiffness from = dimensions
-end
-subsection Loads
-  set Ramp time in ms = 0.5
-  set Resisting torque in N m = 20
-  set Torque ramp angle in rad = 0.01
-end
-subsection Time
-  set End time in ms = 2
-  set Time step in us = 0.25
-end
-subsection Output
-  set Field interval in ms = 0
-  set Window start in ms = 1
-end
+STUDY = STUDY_OF_RIGID + """
 subsection Study
   set Outputs = wear_rate, plate_safety, roller_life
   set Against = Drive/Chain/Elongation in percent
@@ -95,7 +61,7 @@ gone = wear.hours([0., 0.01, 0.02, 0.03], [1e-9, 1e-9, 0., 1e-9])
 check(np.isfinite(gone).tolist() == [True, True, False, False], f"hours of a chain that does not wear: {gone}")
 
 shutil.rmtree("there", ignore_errors=True)
-pathlib.Path("small.prm").write_text(STUDY.replace("{repository}", str(REPOSITORY)))
+pathlib.Path("small.prm").write_text(STUDY)
 done = subprocess.run([PROGRAM, "study", "small.prm", "--cores", "2", "--output", "there", "--quiet"], stdout=subprocess.PIPE,
                       stderr=subprocess.STDOUT, text=True)
 check(done.returncode == 0, done.stdout)
