@@ -33,7 +33,7 @@ QUESTIONS = (
     ("How many teeth?", "chaindrive select --kW 1 --rpm 1000 --ratio 2 --centre 400 --strands 1", r"   chain .*\n.*", "closed forms; a study has the rest"),
     ("How uneven is the speed of the driven shaft?", f"{RUN} {SHORT}", r".*driven speed.*", ""),
     ("How loud is it?", f'{RUN} {LAYERED} --set "Acoustics/Noise=on"', r".*microphone.*", "levels compare drives, see [published results](validation/published.md#sound)"),
-    ("At which speeds does it resonate?", PLAN, r"  slack span .*\n.*\n(?:.*\n){2}  driven inertia .*", "within 3 %; no waves along the chain"),
+    ("At which speeds does it resonate?", PLAN, r"  slack span .*\n.*\n(?:.*\n){2}  driven inertia .*", "within 3 %, of `layered` up to 8 % too low; no waves along the chain"),
     ("What changes with a chain worn by 2 %?", f'{PLAN} --set "Drive/Chain/Elongation in percent=2" --set "Drive/Layout/Worn chain=shafts kept"', r"  slack span .*", ""),
     ("What changes with a sag of 3 % instead of 1 %?", f'{PLAN} --set "Drive/Layout/Sag in percent=3"', r"  slack span .*\n.*\n.*\n  loads .*",
      "of two runs: `chaindrive report A B`, with intervals"),
