@@ -4,6 +4,7 @@
   forges  both forges do the same: the tests on Debian 12 and 13 with both compilers, a Debug build, at night all tests and sanitizers, the pages;
           every script and option that they call exists, and what they keep is what was written
   wrong   changes of these files that would leave something out, or call what is not there, are found
+  typed   what is mistyped after ./run, ./study and ./check is refused before anything is installed or built
   habits  presets, hooks before a commit, templates and the development container name what exists
 
 Without PyYAML all end with 77."""
@@ -11,8 +12,10 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 
 try:
     import yaml
@@ -166,4 +169,20 @@ def habits():
     check("\n## [Unreleased]\n" in (REPOSITORY / "CHANGELOG.md").read_text(), "CHANGELOG.md has no [Unreleased]")
 
 
-{"forges": of_forges, "wrong": wrong, "habits": habits}[CASE]()
+def typed():
+    with tempfile.TemporaryDirectory() as folder:  # without .ci/setup.sh, which is the first thing that scripts ask for
+        for script in ("run", "study", "check"):
+            shutil.copy(REPOSITORY / script, folder)
+        pathlib.Path(folder, "my.prm").touch()
+        path = os.pathsep.join((str(pathlib.Path(CTEST).parent), os.environ["PATH"]))
+        for line, said in (
+                ("./run mine.prm", "no parameter file 'mine.prm'"), ("./run plan mine.prm --set Time/a=b", "no parameter file 'mine.prm'"),
+                ("./run -n 2 my.prm mine.prm", "no parameter file 'mine.prm'"), ("./run my.prm", "setup.sh"), ("./run plan my.prm --picture new.prm", "setup.sh"),
+                ("./study mine.prm --quick", "no parameter file 'mine.prm'"), ("./study -j 2 my.prm", "setup.sh"),
+                ("./check contact", "-R '^contact'"), ("./check --quick contact", "-R '^contact'"), ("./check -R files contact", "-R '^contact'"),
+                ("./check --fast", "option --fast"), ("./check -R files -j 2 --timeout=3 --output-junit file", "setup.sh"), ("./check --debug --quick", "setup.sh")):
+            done = subprocess.run(line.split(), cwd=folder, capture_output=True, text=True, env={**os.environ, "PATH": path})
+            check(said in done.stderr and done.returncode == (1 if said == "setup.sh" else 2), f"{line} ends with {done.returncode} and says: {done.stderr}")
+
+
+{"forges": of_forges, "wrong": wrong, "habits": habits, "typed": typed}[CASE]()
