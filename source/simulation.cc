@@ -245,13 +245,15 @@ Simulation::Simulation(const Parameters                            &parameters,
 {
   if (!scene.has_elastic_bodies() && rank_in(comm) != 0)
     return;
+  statics::Cache cache(statics::Cache::usual_folder());
   system_   = make_system(model, drive, scene, comm);
   step      = stability::choose_time_step(system_->world,
                                      system_->bars,
                                      system_->forces,
                                      system_->contacts,
                                      system_->loads.drag(),
-                                     model.time);
+                                     model.time,
+                                     &cache);
   guard_    = std::make_unique<dynamics::Guard>(scene,
                                              *system_,
                                              model.time.energy_limit,

@@ -398,7 +398,10 @@ std::vector<Held> add_closed_springs(const World               &world,
 }
 } // namespace
 
-double closed_contact_time_step(const World &world, const contact::Contacts &contacts, double limit)
+double closed_contact_time_step(const World             &world,
+                                const contact::Contacts &contacts,
+                                double                   limit,
+                                statics::Cache          *kept)
 {
   const std::vector<Bodies> bodies = bodies_of(world);
   std::vector<ClosedKind>   kinds;
@@ -428,10 +431,11 @@ double closed_contact_time_step(const World &world, const contact::Contacts &con
   std::vector<const contact::Family *> families;
   for (const auto &family : contacts.families())
     families.push_back(family);
-  return flat.critical_time_step(std::min(limit, closed_windows_time_step(world, families)));
+  return flat.critical_time_step(std::min(limit, closed_windows_time_step(world, families, kept)));
 }
 
-double closed_contact_time_step(const World &world, const contact::Family &family)
+double
+closed_contact_time_step(const World &world, const contact::Family &family, statics::Cache *kept)
 {
   const std::vector<Bodies> bodies = bodies_of(world);
   std::vector<ClosedKind>   kinds  = closed_kinds(world, family);
@@ -449,6 +453,6 @@ double closed_contact_time_step(const World &world, const contact::Family &famil
         }
       step = std::min(step, critical_time_step_of(both, both * kind.time));
     }
-  return std::min(step, closed_windows_time_step(world, {&family}));
+  return std::min(step, closed_windows_time_step(world, {&family}, kept));
 }
 } // namespace chaindrive::stability

@@ -2,6 +2,7 @@
 #include <chaindrive/stability/closed_windows.h>
 #include <chaindrive/stability/coupled_modes.h>
 #include <chaindrive/stability/held_bodies.h>
+#include <chaindrive/stability/kept_limit.h>
 
 #include <algorithm>
 #include <array>
@@ -134,18 +135,14 @@ std::map<unsigned int, std::vector<Joint>> ring_joints(std::vector<ClosedWindow>
       joint.bore->together = joint.cylinder->together = true;
   return joints;
 }
-} // namespace
 
-double closed_windows_time_step(const World                                &world,
-                                const std::vector<const contact::Family *> &families)
+/// The smallest limit, s, of bodies in @p windows, of @p n_families families, and in contacts of
+/// other @p kinds.
+double find_limit(const World                   &world,
+                  std::vector<ClosedWindow>     &windows,
+                  const std::vector<ClosedKind> &kinds,
+                  const unsigned int             n_families)
 {
-  std::vector<ClosedWindow> windows;
-  for (unsigned int f = 0; f < families.size(); ++f)
-    if (const auto *exact = dynamic_cast<const contact::HasClosedWindows *>(families[f]))
-      for (const contact::ClosedWindow &window : exact->closed_windows())
-        windows.push_back({window, f});
-  if (windows.empty())
-    return std::numeric_limits<double>::infinity();
   const auto                       together = ring_joints(windows);
   std::map<unsigned int, HeldBody> alone; // by group
   for (const ModalGroup *group : world.groups.modal())
@@ -154,11 +151,10 @@ double closed_windows_time_step(const World                                &worl
     alone.at(window.group).add(window);
   for (auto &[group, body] : alone)
     body.close();
-  for (const contact::Family *family : families)
-    for (const ClosedKind &kind : closed_kinds(world, *family))
-      for (const contact::ClosedSide &side : kind.sides)
-        if (const auto body = alone.find(side.group); body != alone.end() && !side.flat)
-          body->second.add(side, kind);
+  for (const ClosedKind &kind : kinds)
+    for (const contact::ClosedSide &side : kind.sides)
+      if (const auto body = alone.find(side.group); body != alone.end() && !side.flat)
+        body->second.add(side, kind);
 
   std::map<unsigned int, HeldBodies *> held;
   for (auto &[group, body] : alone)
@@ -177,7 +173,29 @@ double closed_windows_time_step(const World                                &worl
             }))
           held.erase(joint.bore->group);
     }
-  return Shares(windows, static_cast<unsigned int>(families.size()), std::move(held))
-      .critical_time_step();
+  return Shares(windows, n_families, std::move(held)).critical_time_step();
+}
+} // namespace
+
+double closed_windows_time_step(const World                                &world,
+                                const std::vector<const contact::Family *> &families,
+                                statics::Cache                             *kept)
+{
+  std::vector<ClosedWindow> windows;
+  std::vector<ClosedKind>   kinds; // of other contacts
+  for (unsigned int f = 0; f < families.size(); ++f)
+    {
+      if (const auto *exact = dynamic_cast<const contact::HasClosedWindows *>(families[f]))
+        for (const contact::ClosedWindow &window : exact->closed_windows())
+          windows.push_back({window, f});
+      for (ClosedKind &kind : closed_kinds(world, *families[f]))
+        kinds.push_back(std::move(kind));
+    }
+  if (windows.empty())
+    return std::numeric_limits<double>::infinity();
+  const auto n_families = static_cast<unsigned int>(families.size());
+  return kept_limit(world, windows, n_families, kinds.empty() ? kept : nullptr, [&] {
+    return find_limit(world, windows, kinds, n_families);
+  });
 }
 } // namespace chaindrive::stability

@@ -15,7 +15,8 @@ namespace chaindrive::stability
 std::vector<TimeStepLimit> step_limits(const World             &world,
                                        const Bars              &bars,
                                        const ForceElements     &forces,
-                                       const contact::Contacts &contacts)
+                                       const contact::Contacts &contacts,
+                                       statics::Cache          *kept)
 {
   std::vector<TimeStepLimit> limits;
   std::vector<Spring>        springs;
@@ -37,8 +38,8 @@ std::vector<TimeStepLimit> step_limits(const World             &world,
     {
       springs.clear();
       family->add_springs(world, springs);
-      const double limit =
-          std::min(critical_time_step(world, springs), closed_contact_time_step(world, *family));
+      const double limit = std::min(critical_time_step(world, springs),
+                                    closed_contact_time_step(world, *family, kept));
       // families of rigid and of elastic bodies share a name
       const auto same = std::find_if(limits.begin(), limits.end(), [&](const TimeStepLimit &other) {
         return other.source == family->name();
@@ -55,7 +56,8 @@ double step_limit(const World             &world,
                   const Bars              &bars,
                   const ForceElements     &forces,
                   const contact::Contacts &contacts,
-                  const double             drag)
+                  const double             drag,
+                  statics::Cache          *kept)
 {
   std::vector<Spring> springs;
   bars.add_springs(world, springs);
@@ -66,7 +68,7 @@ double step_limit(const World             &world,
 
   for (const ElasticGroup *group : world.groups.elastic())
     limit = std::min(limit, group->critical_time_step());
-  limit = closed_contact_time_step(world, contacts, limit);
+  limit = closed_contact_time_step(world, contacts, limit, kept);
   return drag > 0. ? 1. / (1. / limit + 0.5 * drag) : limit;
 }
 
@@ -75,11 +77,12 @@ TimeStepChoice choose_time_step(const World             &world,
                                 const ForceElements     &forces,
                                 const contact::Contacts &contacts,
                                 const double             drag,
-                                const parameters::Time  &time)
+                                const parameters::Time  &time,
+                                statics::Cache          *kept)
 {
   TimeStepChoice choice;
-  choice.step_limits   = step_limits(world, bars, forces, contacts);
-  choice.limit         = step_limit(world, bars, forces, contacts, drag);
+  choice.step_limits   = step_limits(world, bars, forces, contacts, kept);
+  choice.limit         = step_limit(world, bars, forces, contacts, drag, kept);
   const double largest = time.safety_factor * choice.limit;
   if (time.step)
     {

@@ -5,7 +5,8 @@
 // without, down to 3e-5 of what moves: normal forces act across the bore as it is deformed. Along
 // the ray through a node instead they would leave 0.1 % of what friction takes. The same on any
 // number of ranks and with a search at every step. The limit of the step is that of roller
-// and link with the nodes of a window closed between them.
+// and link with the nodes of a window closed between them; it is kept for later runs of the same
+// bodies.
 #include "../support/reduced.h"
 
 #include <chaindrive/contact/joint_flexibility.h>
@@ -13,8 +14,13 @@
 #include <chaindrive/mesh/generate/links.h>
 #include <chaindrive/reduction/side_flexibility.h>
 #include <chaindrive/stability/step_limit.h>
+#include <chaindrive/statics/cache.h>
+#include <chaindrive/utilities/checksum.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <filesystem>
+#include <fstream>
 
 using namespace test;
 
@@ -242,6 +248,27 @@ double limit_together(const scene::Scene &scene)
     }
   return limit;
 }
+
+double limit_of(const scene::Scene &scene, statics::Cache *kept)
+{
+  const dynamics::System system(scene, false, MPI_COMM_SELF);
+  return stability::step_limit(system.world, system.bars, system.forces, system.contacts, 0., kept);
+}
+
+/// Puts @p value in place of what the only file of @p folder keeps; false if there are others.
+bool replace_kept(const std::string &folder, const double value)
+{
+  std::vector<std::filesystem::path> files;
+  for (const auto &entry : std::filesystem::directory_iterator(folder))
+    files.push_back(entry.path());
+  if (files.size() != 1)
+    return false;
+  nlohmann::json all = nlohmann::json::parse(std::ifstream(files.front()));
+  all["value"]       = value;
+  all["checksum"]    = checksum(all["value"].dump());
+  std::ofstream(files.front()) << all;
+  return true;
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -269,6 +296,18 @@ int main(int argc, char **argv)
               << rubbed.angular << ", search " << difference(always, rubbed) << '\n';
   verdict("the limit is that of roller and link together to 1e-3 and above the step",
           std::abs(limit / limit_together(scene) - 1.) < 1e-3 && limit > 2. * dt);
+
+  const std::string folder = "kept limits";
+  std::filesystem::remove_all(folder);
+  statics::Cache     kept(folder);
+  const scene::Scene rubbing    = make_scene(true, true);
+  const double       of_rubbing = limit_of(rubbing, nullptr);
+  verdict("a limit is kept as it is, bit by bit", limit_of(scene, &kept) == limit);
+  verdict("and read from there",
+          replace_kept(folder, 0.5 * limit) && limit_of(scene, &kept) == 0.5 * limit);
+  verdict("with friction it is another one, found anew",
+          limit_of(rubbing, &kept) == of_rubbing && of_rubbing < limit);
+
   verdict("momentum kept to 1e-10", rubbed.linear < 1e-10);
   verdict("angular momentum to 1e-10, with friction to 2e-8",
           coarse.angular < 1e-10 && rubbed.angular < 2e-8);

@@ -3,6 +3,7 @@
 
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/contacts.h>
+#include <chaindrive/statics/cache.h>
 
 namespace chaindrive::stability
 {
@@ -16,11 +17,15 @@ namespace chaindrive::stability
 /// which leaves each body alone with its elements and the springs of its nodes. The t of two bodies
 /// is that which makes their bounds equal (Weyl: the largest eigenvalues of elements and springs
 /// add up); so the slower body bears most. Modal bodies are not taken apart where
-/// they meet only each other and the ground, see CoupledModes.
-double
-closed_contact_time_step(const World &world, const contact::Contacts &contacts, double limit);
+/// they meet only each other and the ground, see CoupledModes. @p kept: see closed_windows.h.
+double closed_contact_time_step(const World             &world,
+                                const contact::Contacts &contacts,
+                                double                   limit,
+                                statics::Cache          *kept = nullptr);
 
 /// The critical time step [s] of the nodes of @p family alone, held closed on otherwise free
 /// bodies; infinite if it has none.
-double closed_contact_time_step(const World &world, const contact::Family &family);
+double closed_contact_time_step(const World           &world,
+                                const contact::Family &family,
+                                statics::Cache        *kept = nullptr);
 } // namespace chaindrive::stability

@@ -3,6 +3,7 @@
 
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/family.h>
+#include <chaindrive/statics/cache.h>
 
 #include <vector>
 
@@ -27,6 +28,10 @@ namespace chaindrive::stability
 /// Each side closes in a window about one of n_directions. Of several sides of a body the worst
 /// directions are searched for one after the other, from some that all sides have in common, until
 /// none gets worse.
+///
+/// Where no other contacts hold these bodies, the limit is read from the cache @p kept, if there is
+/// one that has it, and else kept there.
 double closed_windows_time_step(const World                                &world,
-                                const std::vector<const contact::Family *> &families);
+                                const std::vector<const contact::Family *> &families,
+                                statics::Cache                             *kept = nullptr);
 } // namespace chaindrive::stability

@@ -4,6 +4,7 @@
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/contact/contacts.h>
 #include <chaindrive/forces/bars.h>
+#include <chaindrive/statics/cache.h>
 
 #include <string>
 #include <vector>
@@ -46,11 +47,12 @@ struct TimeStepLimit
 };
 
 /// The limit of each kind of spring of @p bars, of each of @p forces, of the elements and of @p
-/// contacts alone.
+/// contacts alone. @p kept: see closed_windows.h.
 std::vector<TimeStepLimit> step_limits(const World             &world,
                                        const Bars              &bars,
                                        const ForceElements     &forces,
-                                       const contact::Contacts &contacts);
+                                       const contact::Contacts &contacts,
+                                       statics::Cache          *kept = nullptr);
 
 /// The limit [s] of all of them together, of bodies with this @p drag [1/s].
 ///
@@ -61,7 +63,8 @@ double step_limit(const World             &world,
                   const Bars              &bars,
                   const ForceElements     &forces,
                   const contact::Contacts &contacts,
-                  double                   drag);
+                  double                   drag,
+                  statics::Cache          *kept = nullptr);
 
 /// The chosen step and why.
 struct TimeStepChoice
@@ -80,5 +83,6 @@ TimeStepChoice choose_time_step(const World             &world,
                                 const ForceElements     &forces,
                                 const contact::Contacts &contacts,
                                 double                   drag,
-                                const parameters::Time  &time);
+                                const parameters::Time  &time,
+                                statics::Cache          *kept = nullptr);
 } // namespace chaindrive::stability
