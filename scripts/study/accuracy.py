@@ -53,11 +53,12 @@ def drive_of(folder):
             f"driven inertia in kg m2={facts['driven_inertia']:.4g}"]
 
 
-def is_model(about, variant):
-    """Whether a variant is a way to compute any drive: none with a stiffness of its own where the reference has that of the parts."""
-    entry = "Model/Stiffness per pitch in N/m"
+def models_of(about):
+    """The variants that are ways to compute any drive: with no stiffness of their own where the reference has that of the parts."""
+    def stiffness(variant):
+        return variant.get("changes", {}).get("Model/Stiffness per pitch in N/m", "auto")
     reference = next(one for one in about["variants"] if one["name"] == about["reference"])
-    return variant.get("changes", {}).get(entry, "auto") == reference.get("changes", {}).get(entry, "auto")
+    return [variant for variant in about["variants"] if stiffness(variant) == stiffness(reference)]
 
 
 def rows_of(directory, name=""):
@@ -72,7 +73,7 @@ def rows_of(directory, name=""):
     folder = directory / about["variants"][-1]["runs"][0]["folder"]
     yield ["drive", study, *drive_of(folder)]
     yield ["groups", study, *(f"{group}={value:.4g}" for group, value in chaindrive.open(folder).drive.get("groups", {}).items())]
-    for variant in (one for one in about["variants"] if is_model(about, one)):
+    for variant in models_of(about):
         row = table[variant["name"]]
         entries = {"Model/Fidelity": fidelity(directory / variant["runs"][0]["folder"]), "Time/Time step in us": "auto",
                    **variant.get("changes", {})}
@@ -94,7 +95,7 @@ def scatters_of(directory, name=""):
     if len({fidelity(directory / variant["runs"][0]["folder"]) for variant in about["variants"]}) == 1:
         return
     study = name or pathlib.Path(about["file"]).stem
-    for variant in (one for one in about["variants"] if is_model(about, one)):
+    for variant in models_of(about):
         with h5py.File(directory / "table.h5", "r") as file:
             phases = {output: values[:] for output, values in file["by_phase/" + variant["name"]].items() if output not in ("phase", "cpu")}
         for output, values in phases.items():

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/equilibrium.h>
+#include <chaindrive/drive/facts.h>
 #include <chaindrive/utilities/errors.h>
 #include <chaindrive/utilities/text.h>
 
@@ -11,6 +12,7 @@ namespace chaindrive::drive
 {
 using dealii::Point;
 using dealii::Tensor;
+using dealii::numbers::PI;
 
 namespace
 {
@@ -39,20 +41,23 @@ void set_speed(Layout &layout, const unsigned int i, const double speed)
   wheel.speed = speed;
 }
 
-/// Lets the joints in @p span, which a guide bends, run along their polygon.
+/// Lets the joints in @p span run along their polygon, with speeds that change linearly from that
+/// of one end along it to that of the other.
 void run_along(Layout &layout, const Layout::Span &span)
 {
   const unsigned int n     = layout.joints.size();
   const auto         joint = [&](const unsigned int i) -> Layout::Joint         &{
     return layout.joints[(span.first + i) % n];
   };
-  const double before = joint(0).velocity.norm(), behind = joint(span.links).velocity.norm();
+  const auto along = [&](const unsigned int from, const unsigned int to) {
+    const Vector way = joint(to).bush - joint(from).bush;
+    return way / way.norm();
+  };
+  const double before = joint(0).velocity * along(0, 1),
+               behind = joint(span.links).velocity * along(span.links - 1, span.links);
   for (unsigned int i = 1; i < span.links; ++i)
-    {
-      const Vector along = joint(i + 1).bush - joint(i - 1).bush;
-      joint(i).velocity =
-          (before + static_cast<double>(i) / span.links * (behind - before)) / along.norm() * along;
-    }
+    joint(i).velocity =
+        (before + static_cast<double>(i) / span.links * (behind - before)) * along(i - 1, i + 1);
 }
 
 /// Of its spring at the axis of its wheel or the middle of its guide, N.
@@ -174,7 +179,14 @@ void settle(Layout                          &layout,
                 i,
                 layout.sprockets[i].turn * layout.sprockets[0].speed * wheels[0].seats /
                     wheels[i].seats);
-  if (guide != nullptr)
-    run_along(layout, layout.slack());
+  // a span cannot swing with its end rollers above its own frequency
+  const double mass      = operation.mass_per_pitch / pitch;
+  const double frequency = wheels[0].seats * std::abs(layout.sprockets[0].speed) / (2. * PI);
+  for (const Layout::Span &span : layout.spans)
+    if ((guide != nullptr && &span == &layout.slack()) ||
+        frequency >
+            string_frequency(
+                span.links * pitch, mass, equilibrium.tension(span.first + span.links / 2), speed))
+      run_along(layout, span);
 }
 } // namespace chaindrive::drive

@@ -24,32 +24,72 @@ double share_of_last(const double depth, const double approach)
   return (approach * approach - beyond * beyond) / (2. * depth);
 }
 
-/// First and last stiffness of what was @p found, N/m; adds the squares of relative errors to
-/// @p squares.
-std::array<double, 2> fit_one(const Approaches &found, const double depth, double &squares)
+/// What a curve of some depth has by its first and last stiffness, over what was found.
+struct Share
 {
-  // F = first (d - h) + last h, over the force that was found
-  double a = 0., b = 0., c = 0., p = 0., q = 0.;
+  double of_first, of_last; ///< m/N
+};
+
+/// The shares in the forces of @p found, and with @p tangents in those between its forces.
+std::vector<Share>
+shares_of(const Approaches &found, const double depth, const std::vector<double> &tangents)
+{
+  // F = first (d - h) + last h, and its derivative
+  std::vector<Share> result;
   for (std::size_t i = 0; i < found.force.size(); ++i)
     {
-      const double h = share_of_last(depth, found.approach[i]),
-                   x = (found.approach[i] - h) / found.force[i], y = h / found.force[i];
-      a += x * x;
-      b += x * y;
-      c += y * y;
-      p += x;
-      q += y;
+      const double h = share_of_last(depth, found.approach[i]);
+      result.push_back({(found.approach[i] - h) / found.force[i], h / found.force[i]});
+    }
+  for (std::size_t i = 0; i < tangents.size(); ++i)
+    {
+      const double last = std::min(1., found.approach[i + 1] / depth);
+      result.push_back({(1. - last) / tangents[i], last / tangents[i]});
+    }
+  return result;
+}
+
+/// Tangents at all forces of @p found but the first and the last, N/m: of the parabola through a
+/// force and its two neighbours, over logarithms, in which power laws are lines.
+std::vector<double> tangents_of(const Approaches &found)
+{
+  std::vector<double> result;
+  for (std::size_t i = 1; i + 1 < found.force.size(); ++i)
+    {
+      const double before = std::log(found.approach[i] / found.approach[i - 1]),
+                   behind = std::log(found.approach[i + 1] / found.approach[i]);
+      const double power  = (std::log(found.force[i] / found.force[i - 1]) * behind / before +
+                            std::log(found.force[i + 1] / found.force[i]) * before / behind) /
+                           (before + behind);
+      result.push_back(power * found.force[i] / found.approach[i]);
+    }
+  return result;
+}
+
+/// First and last stiffness of what was @p found, N/m, with these @p tangents between; adds the
+/// squares of relative errors to @p squares.
+std::array<double, 2> fit_one(const Approaches          &found,
+                              const std::vector<double> &tangents,
+                              const double               depth,
+                              double                    &squares)
+{
+  const std::vector<Share> shares = shares_of(found, depth, tangents);
+
+  double a = 0., b = 0., c = 0., p = 0., q = 0.;
+  for (const Share &share : shares)
+    {
+      a += share.of_first * share.of_first;
+      b += share.of_first * share.of_last;
+      c += share.of_last * share.of_last;
+      p += share.of_first;
+      q += share.of_last;
     }
   const double          determinant = a * c - b * b;
   std::array<double, 2> fitted = {{(p * c - q * b) / determinant, (q * a - p * b) / determinant}};
   if (!(fitted[0] > 0.) || !(fitted[1] > 0.))
     fitted[0] = fitted[1] = found.force.back() / found.approach.back();
-  for (std::size_t i = 0; i < found.force.size(); ++i)
-    {
-      const double last  = share_of_last(depth, found.approach[i]),
-                   force = fitted[0] * (found.approach[i] - last) + fitted[1] * last;
-      squares += std::pow(force / found.force[i] - 1., 2);
-    }
+  for (const Share &share : shares)
+    squares += std::pow(fitted[0] * share.of_first + fitted[1] * share.of_last - 1., 2);
   return fitted;
 }
 
@@ -88,9 +128,20 @@ void interpolate(const std::vector<double>     &values,
   coefficients[2] = 0.;
   coefficients[1] = places.size() == 1 ? 0. : (values.back() - values[0]) / end;
 }
+
+/// From the smallest approach to the largest of @p found.
+std::vector<double> depths_of(const Approaches &found)
+{
+  constexpr unsigned int n     = 64;
+  const double           ratio = found.approach.back() / found.approach.front();
+  std::vector<double>    result;
+  for (unsigned int i = 0; i <= n; ++i)
+    result.push_back(found.approach.front() * std::pow(ratio, static_cast<double>(i) / n));
+  return result;
+}
 } // namespace
 
-StiffnessCurve fit_stiffness(const std::vector<Approaches> &places)
+StiffnessCurve fit_stiffness(const std::vector<Approaches> &places, const bool with_tangents)
 {
   bool good = !places.empty() && places.size() <= 3 && places[0].place == 0.;
   for (std::size_t i = 1; i < places.size(); ++i)
@@ -103,14 +154,16 @@ StiffnessCurve fit_stiffness(const std::vector<Approaches> &places)
   StiffnessCurve      curve{};
   std::vector<double> first, last;
   double              least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < places[0].approach.size(); ++i)
+  for (const double depth : with_tangents ? depths_of(places[0]) :
+                                            std::vector<double>(places[0].approach.begin() + 1,
+                                                                places[0].approach.end()))
     {
-      const double        depth   = places[0].approach[i];
       double              squares = 0.;
       std::vector<double> of_first, of_last;
       for (const Approaches &found : places)
         {
-          const std::array<double, 2> fitted = fit_one(found, depth, squares);
+          const std::array<double, 2> fitted = fit_one(
+              found, with_tangents ? tangents_of(found) : std::vector<double>(), depth, squares);
           of_first.push_back(fitted[0]);
           of_last.push_back(fitted[1]);
         }

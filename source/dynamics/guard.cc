@@ -103,6 +103,70 @@ bool has_nodes(const scene::Scene &scene)
     return body.motion == scene::Motion::elastic;
   });
 }
+
+/// The least radial room of a bush in its roller, m.
+double room_of_bushes(const scene::Scene &scene)
+{
+  double room = std::numeric_limits<double>::infinity();
+  for (const scene::BoreFamily &bores : scene.bores)
+    if (bores.interface == scene::Interface::roller_bush)
+      for (const scene::BorePair &pair : bores.pairs)
+        room = std::min(room, pair.radius - pair.slave.radius);
+  return room;
+}
+
+/// Rollers that are too oval for contacts at one place each.
+struct TooOval
+{
+  std::string            what; ///< in the middle of a sentence
+  std::vector<FaultSite> places;
+};
+
+/// Those whose oval, a cos 2x, has an a of more than the room of their bushes over @p part.
+std::optional<TooOval>
+too_oval(const scene::Scene &scene, const World &world, Services &services, const double part)
+{
+  const double room  = room_of_bushes(scene);
+  const double limit = room / part;
+
+  const PlanarSlots   slots   = world.planar->slots();
+  const double *const cosines = slots.of(planar_ring), *const sines = slots.of(planar_ring + 1);
+  double most = 0.;
+  for (unsigned int slot = 0; slot < slots.n_slots; ++slot)
+    most = std::max(most, cosines[slot] * cosines[slot] + sines[slot] * sines[slot]);
+  if (!(most > limit * limit))
+    return {};
+
+  services.update_bodies();
+  TooOval result{"a roller has become an oval whose outside moves by " +
+                     to_text(1e6 * std::sqrt(most), 3) + " um, more than the " +
+                     to_text(1e6 * limit, 3) + " um up to which its bush, with a clearance of " +
+                     to_text(1e6 * room, 3) + " um, touches it at one place",
+                 {}};
+  for (unsigned int b = 0; b < world.n_bodies(); ++b)
+    if (const unsigned int slot = world.planar->slot_of(b); slot != PlanarBodies::none)
+      if (const double size = world.planar->oval_of(slot).norm(); size > limit)
+        result.places.push_back({size, scene.name_of(b) + " (" + to_text(1e6 * size, 3) + " um)"});
+  std::sort(result.places.begin(),
+            result.places.end(),
+            [](const FaultSite &one, const FaultSite &other) { return one.size > other.size; });
+  return result;
+}
+
+/// A bush at the angle x from its axis to the roller's touches the bore of an oval, which moves
+/// outwards by bore a cos 2x, where the axes are d = room + bore a cos 2x apart. It is pushed
+/// sideways by 2 a sin 2x / d times the normal force. The kernels let that be 1 at most, beyond
+/// there is a second place of contact, and energy is not kept: at all x it is less where a sqrt(4 +
+/// bore^2) < room.
+double part_of_one_place(const drive::RollerRing &ring)
+{
+  return std::sqrt(4. + ring.bore * ring.bore);
+}
+
+const std::string round_rollers =
+    "No step, however small, mends this: the load is too large for such rollers. Take "
+    "Effects/Oval rollers = off, or Model/Fidelity = reduced, whose rollers deform everywhere; if "
+    "it is the start that pulls so, a longer Loads/Ramp time in ms.";
 } // namespace
 
 Guard::Guard(const scene::Scene &scene,
@@ -417,6 +481,21 @@ void Guard::observe(const System       &system,
             services.update_bodies();
           remember(world);
         }
+    }
+  if (world.planar != nullptr && world.planar->oval())
+    {
+      // the bush of a roller that is narrower than its bush touches both sides: nothing is right
+      const drive::RollerRing &ring = *world.planar->oval();
+      if (finding)
+        {
+          if (auto rollers = too_oval(scene_, world, services, part_of_one_place(ring)))
+            finding = {finding->what + ": " + rollers->what, round_rollers, rollers->places};
+        }
+      else if (on_ && calls_ == 0)
+        if (auto rollers = too_oval(scene_, world, services, ring.bore))
+          finding = {"Two sides of a roller press on its bush: " + rollers->what,
+                     round_rollers,
+                     rollers->places};
     }
   if (!finding)
     return;

@@ -77,7 +77,8 @@ stiffness_curves(Library &library, const drive::Drive &drive, const double load,
   curves.per_pitch = drive::fit_stiffness(
       {over_loads(
            [&](const unsigned int n) { return library.pulled_links(drive.chain, n); }, load, most)
-           .of(0, 0.)});
+           .of(0, 0.)},
+      true);
   note = "Stiffness curves, tangents from the first touch to high loads in N/um: a pitch " +
          in_words(*curves.per_pitch, 0.);
   std::string of_teeth;

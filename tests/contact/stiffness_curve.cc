@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contacts that get stiffer the more they bear, and teeth that are softer higher up: a fit finds
-// the curve that forces were made of; a body that meets a bush with the force k d^2 has the peak
-// and the duration of the closed form, and beyond the depth up to which stiffness grows the peak
-// that its energy makes; a roller anywhere on a seat bears what the curve says there; whatever
-// bush, roller and teeth do, energy stays, also on the way around; and the critical time step is
-// that of the largest tangent stiffness.
+// the curve that forces were made of, and with tangents the tangent of a power law at the load; a
+// body that meets a bush with the force k d^2 has the peak and the duration of the closed form, and
+// beyond the depth up to which stiffness grows the peak that its energy makes; a roller anywhere on
+// a seat bears what the curve says there; whatever bush, roller and teeth do, energy stays, also on
+// the way around; and the critical time step is that of the largest tangent stiffness.
 #include "../support/planar_roller.h"
 
 #include <chaindrive/contact/planar_contact.h>
@@ -217,6 +217,29 @@ int main()
         drive::force_of(drive::fit_stiffness({places[0], places[2]}), 0.25, 5e-6),
         0.775 * drive::force_of(fitted, 0., 5e-6));
   ratio("the largest stiffness of all", drive::stiffest(of_places), 1.3 * k);
+  // of a power law, whose tangent is the power times the secant, at the third of four loads
+  drive::Approaches law;
+  for (const double force : {0.1, 0.3, 1., 3.})
+    {
+      law.force.push_back(1e4 * force);
+      law.approach.push_back(30e-6 * std::pow(force, 1. / 1.15));
+    }
+  const auto tangent = [&](const bool with_tangents) {
+    const drive::StiffnessCurve curve = drive::fit_stiffness({law}, with_tangents);
+    return (drive::force_of(curve, 0., 30.01e-6) - drive::force_of(curve, 0., 29.99e-6)) / 0.02e-6 /
+           (1.15 * 1e4 / 30e-6);
+  };
+  const auto error_of_forces = [&](const bool with_tangents) {
+    const drive::StiffnessCurve curve = drive::fit_stiffness({law}, with_tangents);
+    double                      worst = 0.;
+    for (std::size_t i = 0; i < law.force.size(); ++i)
+      worst = std::max(worst,
+                       std::abs(drive::force_of(curve, 0., law.approach[i]) / law.force[i] - 1.));
+    return worst;
+  };
+  verdict("tangent at the load of a fit with tangents within 2.5 %, of forces alone not within 5",
+          std::abs(tangent(true) - 1.) < 0.025 && std::abs(tangent(false) - 1.) > 0.05);
+  verdict("its forces within 4 %", error_of_forces(true) < 0.04);
   double off = 0.;
   for (const double d : {1e-12, 1e-6, 5e-6, 0.999 * fitted.depth, 1.001 * fitted.depth, 1e-4})
     for (const double place : {0., 0.37, 0.6})

@@ -110,7 +110,8 @@ struct Operation
 /// their torques while the drive runs, and sets them in motion: minimum of the energy as above, in
 /// which the tension that pulls at a joint is less by what turns the chain's own momentum, m v^2.
 /// Teeth take their shares of the tension at the angles at which rollers bear on them then. Without
-/// friction.
+/// friction. Joints in a span run along its polygon, or, where the tooth frequency is below that of
+/// the span as a string, swing with the rollers at its ends.
 ///
 /// @throws InputError, naming Drive/Layout/Start, when no such state is found.
 void settle(Layout                          &layout,
