@@ -65,13 +65,19 @@ configure_build() {
 
 # build_targets TARGET...: silent when there is nothing to do.
 build_targets() {
-  [[ $(ninja -C "$build" -n "$@") == *"no work to do"* ]] && return
   # A compiler busy with deal.II's headers takes up to 1.5 GB.
-  local jobs cores
+  local jobs cores line said=
   cores=$(nproc)
   jobs=$(awk '/^MemAvailable/ { print int($2 / 1.5e6) }' /proc/meminfo)
-  say "building"
-  ninja -C "$build" -j "$((jobs < 1 ? 1 : jobs < cores ? jobs : cores))" "$@"
+  # ninja looks for new files first, so that a dry run (-n) does not tell whether there is work
+  ninja -C "$build" -j "$((jobs < 1 ? 1 : jobs < cores ? jobs : cores))" "$@" | while IFS= read -r line; do
+    case $line in
+      "ninja: Entering directory"* | "ninja: no work to do." | *"Re-checking globbed directories..."*) continue ;;
+    esac
+    [[ $said ]] || say "building"
+    said=yes
+    printf '%s\n' "$line"
+  done
 }
 
 # One build at a time in this folder, whoever else starts ./run or ./check meanwhile.

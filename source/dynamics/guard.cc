@@ -201,7 +201,7 @@ Guard::Guard(const scene::Scene &scene,
   largest_momentum_ = std::max(largest_momentum_, std::sqrt(2. * total_mass_ * least_energy_));
 }
 
-void Guard::serialize(const Archive &archive, const System &system)
+void Guard::serialize(const Archive &archive, const System &)
 {
   energy_.serialize(archive / "energy");
   archive("calls", calls_);
@@ -215,7 +215,6 @@ void Guard::serialize(const Archive &archive, const System &system)
   archive("force on hubs", hub_force_);
   archive("impulse on hubs", hub_impulse_);
   archive("ledger", before_);
-  complete_last(system.world);
   archive("last velocities", last_.velocity);
   archive("last forces", last_.force);
 }
@@ -262,39 +261,8 @@ Guard::Vector3 Guard::moved(const World &world) const
 
 void Guard::remember(const World &world)
 {
-  if (world.planar == nullptr || last_.velocity.empty())
-    {
-      last_.velocity.assign(world.velocity.begin(), world.velocity.end());
-      last_.force.assign(world.force.begin(), world.force.end());
-    }
-  if (world.planar == nullptr)
-    return;
-  for (const World::Hub &hub : world.hubs)
-    for (unsigned int i = 3 * hub.body; i < 3 * hub.body + 3; ++i)
-      {
-        last_.velocity[i] = world.velocity.local_element(i);
-        last_.force[i]    = world.force.local_element(i);
-      }
-  const PlanarSlots slots = world.planar->slots();
-  last_in_plane_.resize(4 * slots.n_slots);
-  auto to = last_in_plane_.begin();
-  for (const PlanarEntry first : {planar_velocity, planar_force})
-    to = std::copy_n(slots.of(first), 2 * slots.n_slots, to);
-}
-
-void Guard::complete_last(const World &world)
-{
-  if (last_in_plane_.empty())
-    return;
-  const std::size_t n = last_in_plane_.size() / 4;
-  for (unsigned int b = 0; b < world.n_bodies(); ++b)
-    if (const unsigned int slot = world.planar->slot_of(b); slot != PlanarBodies::none)
-      for (unsigned int d = 0; d < 2; ++d)
-        {
-          last_.velocity[3 * b + d] = last_in_plane_[d * n + slot];
-          last_.force[3 * b + d]    = last_in_plane_[(2 + d) * n + slot];
-        }
-  last_in_plane_.clear();
+  last_.velocity.assign(world.velocity.begin(), world.velocity.end());
+  last_.force.assign(world.force.begin(), world.force.end());
 }
 
 Guard::Vector3 Guard::force_on_hubs(const World &world)
@@ -352,7 +320,6 @@ Guard::look_at_momentum(const System &system, const double dt, Services &service
   const double limit = (momentum_limit + system.loads.drag() * dt) * largest_momentum_;
   if (rest.norm() <= limit)
     return {};
-  complete_last(world);
   return Finding{
       "Momentum of " + to_text(rest.norm(), 3) +
           " N s comes from nowhere, more than the accepted " + to_text(limit, 3) +
@@ -409,10 +376,7 @@ Guard::look_at_energy(const System &system, const double dt, Services &services)
                    error_of_program(line.entry),
                    {}};
   if (finding)
-    {
-      complete_last(system.world);
-      finding->places = suspects(system, &last_, dt, services);
-    }
+    finding->places = suspects(system, &last_, dt, services);
   return finding;
 }
 
@@ -475,10 +439,9 @@ void Guard::observe(const System       &system,
             services.update_bodies();
           finding = update(system, dt, services);
         }
-      else if (calls_ + 1 == interval)
+      else if (calls_ + 1 == interval && world.has_elastic_bodies())
         {
-          if (world.planar == nullptr)
-            services.update_bodies();
+          services.update_bodies();
           remember(world);
         }
     }

@@ -226,6 +226,15 @@ std::unique_ptr<files::CheckpointFile> newest(const std::string &directory, file
   log << "There is no checkpoint in '" << directory << "': the run begins at its beginning.\n";
   return nullptr;
 }
+
+/// The path of the checkpoint @p named: a path, or the name of one in the output @p directory.
+std::string path_of(const std::string &named, const std::string &directory)
+{
+  const std::filesystem::path path(named), there = directory / path;
+  std::error_code             error;
+  return path.has_parent_path() || exists(path, error) || !exists(there, error) ? named :
+                                                                                  there.string();
+}
 } // namespace
 
 std::unique_ptr<files::CheckpointFile> find_checkpoint(const std::string &resume,
@@ -240,11 +249,12 @@ std::unique_ptr<files::CheckpointFile> find_checkpoint(const std::string &resume
     file = newest(directory, log);
   else
     {
-      namespace fs = std::filesystem;
-      file         = std::make_unique<files::CheckpointFile>(resume);
+      namespace fs           = std::filesystem;
+      const std::string path = path_of(resume, directory);
+      file                   = std::make_unique<files::CheckpointFile>(path);
       std::error_code error;
-      if (!fs::equivalent(fs::absolute(resume).parent_path(), directory, error))
-        throw InputError("The checkpoint '" + resume + "' does not lie in the output directory '" +
+      if (!fs::equivalent(fs::absolute(path).parent_path(), directory, error))
+        throw InputError("The checkpoint '" + path + "' does not lie in the output directory '" +
                          directory + "', where its histories are; choose --output.");
       check_histories(*file, directory);
     }

@@ -5,6 +5,7 @@
           every script and option that they call exists, and what they keep is what was written
   wrong   changes of these files that would leave something out, or call what is not there, are found
   typed   what is mistyped after ./run, ./study and ./check is refused before anything is installed or built
+  printed ./run and ./study print what they install and build on standard error, and nothing when there is nothing to do
   habits  presets, hooks before a commit, templates and the development container name what exists
 
 Without PyYAML all end with 77."""
@@ -185,4 +186,45 @@ def typed():
             check(said in done.stderr and done.returncode == (1 if said == "setup.sh" else 2), f"{line} ends with {done.returncode} and says: {done.stderr}")
 
 
-{"forges": of_forges, "wrong": wrong, "habits": habits, "typed": typed}[CASE]()
+def printed():
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+
+        def tool(name, text):
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(f"#!/bin/sh\n{text}\n")
+            path.chmod(0o755)
+
+        for name in ("run", "study", ".ci/setup.sh", "packaging/packages.txt"):
+            (folder / name).parent.mkdir(exist_ok=True)
+            shutil.copy(REPOSITORY / name, folder / name)
+        tool("build/source/chaindrive", 'echo "the program $@"')
+        (folder / "build/build.ninja").touch()
+        tool("bin/dpkg-query", 'printf "installed %s\\n" "$@"')
+        tool("bin/sudo", 'shift; exec "$@"')
+        tool("bin/apt-get", "echo apt-get")
+        globs = "echo \"ninja: Entering directory 'build'\"; echo '[0/2] Re-checking globbed directories...'"
+
+        def call(*words, status=0):
+            done = subprocess.run(words, cwd=folder, text=True, capture_output=True, env={**os.environ, "PATH": f"{folder}/bin:{os.environ['PATH']}"})
+            check(done.returncode == status, f"{words} ends with {done.returncode}: {done.stderr}")
+            check(done.stdout == ("" if status else f"the program {' '.join(word for word in words if word != './run').replace('./study', 'study')}\n"), f"{words} prints {done.stdout}")
+            return done.stderr
+
+        for words in (("./run", "template"), ("./run", "report", "results"), ("./study", "--help-of-it")):
+            tool("bin/ninja", f"{globs}; echo 'ninja: no work to do.'")
+            said = call(*words)
+            check(said == "", f"nothing is to do, but {words} says: {said}")
+            tool("bin/ninja", f"{globs}; echo '[1/2] compile'; echo '[2/2] link'")
+            said = call(*words)
+            check(said == "== building\n[1/2] compile\n[2/2] link\n", f"{words} says of a build: {said}")
+            tool("bin/ninja", f"{globs}; echo 'FAILED: an object'; exit 1")
+            check("FAILED: an object" in call(*words, status=1), f"{words} does not say what fails")
+        tool("bin/ninja", f"{globs}; echo 'ninja: no work to do.'")
+        tool("bin/dpkg-query", "true")
+        said = call("./run", "template")
+        check("== installing" in said and "apt-get" in said, f"./run does not say that it installs packages: {said}")
+
+
+{"forges": of_forges, "wrong": wrong, "habits": habits, "typed": typed, "printed": printed}[CASE]()

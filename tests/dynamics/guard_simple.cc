@@ -2,6 +2,7 @@
 // The simple drive at full speed, with one thing wrong: it must be stopped within 100 steps, and
 // the message must name the place.
 #include "../support/faults.h"
+#include "../support/scenes.h"
 
 #include <limits>
 
@@ -15,6 +16,35 @@ Vector3 pull(const System &system, const unsigned int bar)
   const Vector3     between =
       system.world.frames[b.second].position - system.world.frames[b.first].position;
   return system.bars.tension()[bar] / between.norm() * between;
+}
+
+/// Whether two lumps on a bar that fly and fall with drag are left alone.
+bool falls_soundly(const bool planar)
+{
+  scene::Scene scene  = empty_scene();
+  scene.planar        = planar;
+  scene.bodies        = {lump(0.01, Vector3(), vector(3., 1.)),
+                         lump(0.01, vector(0.01, 0.), vector(3., 1.))};
+  scene.bars          = {{0, 1, 0.01, 1e6, 0.}};
+  scene.loads.gravity = 9.81;
+  scene.loads.drag    = 20.;
+  System             system(scene, false);
+  const double       limit = system.critical_time_step(), dt = 0.2 * limit;
+  dynamics::Guard    guard(scene, system, 0.05, limit);
+  dynamics::Services services(system);
+  try
+    {
+      for (unsigned int i = 1; i <= 1000; ++i)
+        {
+          system.advance_without_update(dt, i * dt);
+          guard.observe(system, i, dt, services);
+        }
+    }
+  catch (const dynamics::Fault &)
+    {
+      return false;
+    }
+  return guard.largest_momentum_error() > 0.;
 }
 
 const std::string roller(const unsigned int k) { return "roller " + std::to_string(k); }
@@ -77,6 +107,16 @@ int main()
     weight[1] = s.world.mass[40] * s.loads.gravity();
     push(s, 40, weight);
   });
+
+  // what drag has taken follows from where bodies have got to
+  verdict("bodies that fall with drag go on, in space", falls_soundly(false));
+  verdict("  and in the plane", falls_soundly(true));
+  const scene::Scene slowed =
+      drive_scene("prm/paper/simple.prm", {"Drive/Layout/Start=settled", "Loads/Drag in 1/s=20"});
+  Drive(slowed, 2000, part)
+      .expect_stop("bar pulls at one end only, with drag",
+                   {momentum, roller(5) + ":"},
+                   [](System &s) { push(s, s.bars.bars()[5].first, -pull(s, 5)); });
 
   // of sticking contacts with friction the limit is lower, but they slide before they blow up
   const scene::Scene smooth = drive_scene(

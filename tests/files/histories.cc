@@ -65,7 +65,10 @@ void check(const std::string &prefix)
 }
 
 /// Numbers without a pattern: all of them come through the compression, which they defeat.
-std::uintmax_t n_wrong_after_compression(const std::string &prefix, const unsigned int n)
+/// After every @p flushed of them the file is brought up to date, wherever a block is.
+std::uintmax_t n_wrong_after_compression(const std::string &prefix,
+                                         const unsigned int n,
+                                         const unsigned int flushed)
 {
   std::mt19937                           random(3);
   std::uniform_real_distribution<double> uniform(-1., 1.);
@@ -81,6 +84,8 @@ std::uintmax_t n_wrong_after_compression(const std::string &prefix, const unsign
           histories.values(noise)[c] = given.back();
         }
       histories.end_sample();
+      if ((i + 1) % flushed == 0)
+        histories.flush();
     }
   histories.close();
   histories.compress();
@@ -150,8 +155,11 @@ int main()
     }
 
   for (const unsigned int n : {1u, 2u, 700u})
-    std::cout << n << " rows of noise compressed: wrong " << n_wrong_after_compression("noise", n)
-              << std::endl;
+    std::cout << n << " rows of noise compressed: wrong "
+              << n_wrong_after_compression("noise", n, n) << std::endl;
+  for (const unsigned int flushed : {1u, 100u, 512u, 600u})
+    std::cout << "flushed after every " << flushed << ": wrong "
+              << n_wrong_after_compression("noise", 700, flushed) << std::endl;
 
   Run run("being_written", 512);
   for (unsigned int i = 0; i < 300; ++i)

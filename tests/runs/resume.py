@@ -281,6 +281,10 @@ def refuse():
     shutil.copy(older, "other")
     refused("other.*does not lie in the output directory", options=("--resume", f"other/{older.name}"))
 
+    # by its name in the output directory
+    said = run("whole", entries, ("--resume", older.name))
+    check(f"Resumed from '{older}' at 0.1" in said, said)
+
     # auto: the older one, then none
     newest.write_bytes(content[:-100])
     said = run("whole", entries, ["--resume", "auto"])

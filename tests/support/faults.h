@@ -109,7 +109,7 @@ public:
   {
     for (unsigned int i = 0; i < n_sound; ++i)
       {
-        system.advance(dt, system.world.time + dt);
+        system.advance_without_update(dt, system.world.time + dt); // as the time loop does
         guard.observe(system, ++step_, dt, services);
       }
   }
@@ -168,7 +168,7 @@ public:
           if (on_nodes || on_bodies)
             advance(times * dt, on_nodes, on_bodies);
           else
-            system.advance(times * dt, system.world.time + times * dt);
+            system.advance_without_update(times * dt, system.world.time + times * dt);
           guard.observe(system, ++step_, times * dt, services);
         }
       catch (const dynamics::Fault &stopped)

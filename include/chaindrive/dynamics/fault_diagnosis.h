@@ -19,7 +19,7 @@ struct FaultSite
 /// The first @p n of @p places as text, each named once.
 std::string list_of(const std::vector<FaultSite> &places, unsigned int n);
 
-/// What is kept of the step before a look.
+/// What is kept of the step before a look, if any body is elastic.
 struct LastStep
 {
   std::vector<double> velocity, force; ///< of World, three entries per body

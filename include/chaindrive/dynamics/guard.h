@@ -161,11 +161,9 @@ private:
 
   static Vector3 force_on_hubs(const World &world);
 
-  /// Remembers velocities and forces of @p world for faults_of_balance(). Those of bodies in the
-  /// plane are taken from where they stand, and go to their places in last_ by complete_last() when
-  /// somebody reads these.
+  /// Remembers velocities and forces of @p world for faults_of_balance(), which needs those of
+  /// elastic bodies.
   void remember(const World &world);
-  void complete_last(const World &world);
 
   const scene::Scene &scene_;
   EnergyGuard         energy_;
@@ -188,7 +186,6 @@ private:
   Vector3             hub_force_;          ///< after the last step, N
   Vector3             hub_impulse_;        ///< N s
   Ledger              before_;             ///< at the last look
-  LastStep            last_;               ///< the step before a look
-  std::vector<double> last_in_plane_; ///< what complete_last() has to write there; none: nothing
+  LastStep            last_;               ///< the step before a look; empty: nothing is elastic
 };
 } // namespace chaindrive::dynamics
