@@ -111,31 +111,16 @@ private:
 constexpr unsigned int first_of_tooth = 4; ///< harmonic in which a tooth deflects as a half-space
 } // namespace
 
-template <typename Value>
-void StripFlexibility::add_in_rings(const std::vector<double> &lengths, const Value &value)
-{
-  const unsigned int n_strips = grid_.size(), m = n_rings();
-  for (unsigned int a = 0; a < n_strips; ++a)
-    for (unsigned int b = 0; b <= a; ++b)
-      {
-        const double of_length = value(a, b);
-        for (unsigned int r = 0; r < m; ++r)
-          value_[std::size_t(a * m + r) * n() + b * m + r] += of_length / lengths[r];
-      }
-}
-
-void StripFlexibility::add_short_waves(const unsigned int         first,
-                                       const std::vector<double> &lengths,
-                                       const double               factor)
+StripFlexibility::OfPair StripFlexibility::short_waves(const unsigned int first,
+                                                       const double       factor) const
 {
   // with sin(k v) sin(k w) cos(k d) as cosines of sums of the angles
-  const CubedCosines sum(first);
-  add_in_rings(lengths, [&](const unsigned int a, const unsigned int b) {
+  return [this, factor, sum = CubedCosines(first)](const unsigned int a, const unsigned int b) {
     const double d = grid_.middle[a] - grid_.middle[b], v = grid_.half_width[a],
                  w = grid_.half_width[b];
     return 0.25 * factor / (v * w) *
            (sum(d + v - w) + sum(d - v + w) - sum(d + v + w) - sum(d - v - w));
-  });
+  };
 }
 
 StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
@@ -146,7 +131,6 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
                                    const Tooth                       &tooth)
     : grid_(grid), rings_(rings)
 {
-  value_.assign(std::size_t(n()) * n(), 0.);
   if (rings.empty() || rings.size() != lengths.size())
     throw std::logic_error("StripFlexibility: a ring without a length");
   const unsigned int        n_columns = outside.n_columns, m = n_rings(), all = outside.n_rings();
@@ -155,15 +139,6 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
     return harmonics[(std::size_t(k) * all + rings_[r]) * all + rings_[s]];
   };
   const StripHarmonics on_strips(grid_, n_columns / 2);
-  for (unsigned int a = 0; a < grid.size(); ++a)
-    for (unsigned int b = 0; b <= a; ++b)
-      for (unsigned int k = 0; k <= n_columns / 2; ++k)
-        {
-          const double part = on_strips.between(k, a, b);
-          for (unsigned int r = 0; r < m; ++r)
-            for (unsigned int s = 0; s < m; ++s)
-              value_[std::size_t(a * m + r) * n() + b * m + s] += part * harmonic(k, r, s);
-        }
 
   // a half-space of unit length under a force per length: harmonics of 2 / (pi E' k)
   const double        of_half_space = 2. / (PI * material.plane_modulus());
@@ -177,30 +152,62 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
           of_mesh += lengths[r] * harmonic(k, r, s) * lengths[s] / length;
       lacking.push_back(std::max(0., of_half_space / k - of_mesh));
     }
-  add_in_rings(lengths, [&](const unsigned int a, const unsigned int b) {
-    double sum = 0.;
-    for (unsigned int i = 0; i < lacking.size(); ++i)
-      sum += lacking[i] * on_strips.between(n_columns / 4 + i, a, b);
-    return sum;
-  });
-  add_short_waves(n_columns / 2 + 1, lengths, of_half_space);
+  std::vector<OfPair> in_rings = {[&](const unsigned int a, const unsigned int b) {
+                                    double sum = 0.;
+                                    for (unsigned int i = 0; i < lacking.size(); ++i)
+                                      sum +=
+                                          lacking[i] * on_strips.between(n_columns / 4 + i, a, b);
+                                    return sum;
+                                  },
+                                  short_waves(n_columns / 2 + 1, of_half_space)};
+  OfPair              seat     = [](unsigned int, unsigned int) { return 0.; };
   if (tooth.stiffness > 0.)
-    add_tooth(tooth, lengths, of_half_space);
-  for (unsigned int i = 0; i < n(); ++i) // strips above are as those below, rings of one as well
-    for (unsigned int j = 0; j < i; ++j)
-      value_[std::size_t(j) * n() + i] = value_[std::size_t(i) * n() + j];
-  number_.assign(value_.begin(), value_.end());
-  value_ = {};
+    {
+      in_rings.push_back(short_waves(first_of_tooth, of_half_space));
+      seat = seat_of(tooth, length, of_half_space);
+    }
+
+  // The rows of a strip up to its own, which fit into the cache: strips above are as those below,
+  // rings of one as well.
+  number_.resize(std::size_t(n()) * n());
+  std::vector<double> rows;
+  for (unsigned int a = 0; a < grid_.size(); ++a)
+    {
+      const std::size_t n_below = std::size_t(a + 1) * m;
+      rows.assign(m * n_below, 0.);
+      for (unsigned int b = 0; b <= a; ++b)
+        {
+          double *const block = &rows[std::size_t(b) * m];
+          for (unsigned int k = 0; k <= n_columns / 2; ++k)
+            {
+              const double part = on_strips.between(k, a, b);
+              for (unsigned int r = 0; r < m; ++r)
+                for (unsigned int s = 0; s < m; ++s)
+                  block[r * n_below + s] += part * harmonic(k, r, s);
+            }
+          for (const OfPair &of_pair : in_rings)
+            {
+              const double of_length = of_pair(a, b);
+              for (unsigned int r = 0; r < m; ++r)
+                block[r * n_below + r] += of_length / lengths[r];
+            }
+          const double moved = seat(a, b);
+          for (unsigned int r = 0; r < m; ++r)
+            for (unsigned int s = 0; s < m; ++s)
+              block[r * n_below + s] += moved;
+        }
+      for (std::size_t j = 0; j < n_below; ++j)
+        for (unsigned int r = 0; r < m; ++r)
+          if (const std::size_t i = std::size_t(a) * m + r; j <= i)
+            number_[i * n() + j] = number_[j * n() + i] = static_cast<float>(rows[r * n_below + j]);
+    }
 }
 
-void StripFlexibility::add_tooth(const Tooth               &tooth,
-                                 const std::vector<double> &lengths,
-                                 const double               of_half_space)
+StripFlexibility::OfPair
+StripFlexibility::seat_of(const Tooth &tooth, const double length, const double of_half_space)
 {
-  add_short_waves(first_of_tooth, lengths, of_half_space);
   // what is left of the whole deflection in the seat, whose pressure is half of an ellipse
-  double       of_dents = 0.;
-  const double length   = std::accumulate(lengths.begin(), lengths.end(), 0.);
+  double of_dents = 0.;
   for (unsigned int k = first_of_tooth; k < 1000; ++k)
     {
       const double x = k * tooth.half_angle, mean = 2. * dealii::std_cxx17::cyl_bessel_j(1., x) / x;
@@ -208,30 +215,20 @@ void StripFlexibility::add_tooth(const Tooth               &tooth,
     }
   const auto rest = [&](const double stiffness) { return std::max(0., 1. / stiffness - of_dents); };
   if (tooth.places.empty())
-    {
-      for (double &value : value_)
-        value += rest(tooth.stiffness);
-      return;
-    }
+    return [everywhere = rest(tooth.stiffness)](unsigned int, unsigned int) { return everywhere; };
   std::array<double, 3> at{}, compliance{};
   for (unsigned int i = 0; i < 3; ++i)
     {
       at[i]         = tooth.places.at(i).angle;
       compliance[i] = rest(tooth.places[i].stiffness);
     }
-  const SeatMotion   seat(at,
+  const SeatMotion seat(at,
                         compliance,
                         tooth.half_angle,
                         *std::max_element(tooth.slopes.begin(), tooth.slopes.end()));
-  const unsigned int m = n_rings();
-  for (unsigned int a = 0; a < grid_.size(); ++a)
-    for (unsigned int b = 0; b <= a; ++b)
-      {
-        const double moved = seat(tooth.slopes.at(a), tooth.slopes.at(b));
-        for (unsigned int r = 0; r < m; ++r)
-          for (unsigned int s = 0; s < m; ++s)
-            value_[std::size_t(a * m + r) * n() + b * m + s] += moved;
-      }
+  return [seat, &slopes = tooth.slopes](const unsigned int a, const unsigned int b) {
+    return seat(slopes.at(a), slopes.at(b));
+  };
 }
 
 SeatMotion::SeatMotion(const std::array<double, 3> &at,
@@ -300,25 +297,27 @@ WallFlexibility::WallFlexibility(const reduction::RoundFlexibility          &out
     }
   const unsigned int half = n_turn_ / 2; // the other half of a turn is alike
   table_.reserve(widths.size() * n_rows() * n_in_row());
-  std::vector<double> of_places(n_places_);
+  std::vector<double> of_places(n_places_), part(n_columns / 2 + 1);
   for (const double w : widths)
     for (unsigned int a = 0; a <= half; ++a)
-      for (const unsigned int r : rings)
-        {
-          std::fill(of_places.begin(), of_places.end(), 0.);
-          for (unsigned int k = 0; k <= n_columns / 2; ++k)
-            {
-              const double part = mean_over_strip(k, w) * std::cos(k * PI * a / half);
+      {
+        for (unsigned int k = 0; k <= n_columns / 2; ++k)
+          part[k] = mean_over_strip(k, w) * std::cos(k * PI * a / half);
+        for (const unsigned int r : rings)
+          {
+            std::fill(of_places.begin(), of_places.end(), 0.);
+            for (unsigned int k = 0; k <= n_columns / 2; ++k)
               for (unsigned int q = 0; q < n_places_; ++q)
                 {
                   const JointFlexibility::Place &place = places[q];
                   const double                  *of_ring =
                       &harmonics[k * all + std::size_t(r) * n_bore + place.first];
-                  of_places[q] += part * ((1. - place.part) * of_ring[0] + place.part * of_ring[1]);
+                  of_places[q] +=
+                      part[k] * ((1. - place.part) * of_ring[0] + place.part * of_ring[1]);
                 }
-            }
-          table_.insert(table_.end(), of_places.begin(), of_places.end());
-        }
+            table_.insert(table_.end(), of_places.begin(), of_places.end());
+          }
+      }
 }
 
 inline double WallFlexibility::row_of(const double angle) const

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace chaindrive::contact
@@ -95,22 +96,20 @@ public:
   const float *row(const unsigned int i) const { return &number_[std::size_t(i) * n()]; }
 
 private:
-  // The constructor adds to pairs of strips the first of which is not below the second one.
+  /// What an even pressure of one newton on one strip deflects another one by, m/N, by their
+  /// numbers in the grid.
+  using OfPair = std::function<double(unsigned int, unsigned int)>;
 
-  /// Adds @p factor / k for all harmonics from @p first on.
-  void add_short_waves(unsigned int first, const std::vector<double> &lengths, double factor);
+  /// On rings of unit length, @p factor / k in all harmonics from @p first on.
+  OfPair short_waves(unsigned int first, double factor) const;
 
-  /// Adds what a @p tooth deflects; @p of_half_space: one of unit length, in the first harmonic.
-  void add_tooth(const Tooth &tooth, const std::vector<double> &lengths, double of_half_space);
-
-  /// Adds sums of a @p value(a, b) for each pair of strips over the length of a ring.
-  template <typename Value>
-  void add_in_rings(const std::vector<double> &lengths, const Value &value);
+  /// What of a @p tooth, which must outlive it, moves as a whole under rings of this @p length
+  /// together, m; @p of_half_space: what one of unit length deflects by in the first harmonic.
+  static OfPair seat_of(const Tooth &tooth, double length, double of_half_space);
 
   StripGrid                 grid_;
   std::vector<unsigned int> rings_;
-  std::vector<double>       value_;  ///< [strip][ring] twice, while it is being built
-  std::vector<float>        number_; ///< the same from then on
+  std::vector<float>        number_; ///< [strip][ring] twice
 };
 
 /// By how much the outside of a roller in strips and its bore at nodes of a bush in it deflect each
