@@ -178,7 +178,8 @@ def typed():
         path = os.pathsep.join((str(pathlib.Path(CTEST).parent), os.environ["PATH"]))
         for line, said in (
                 ("./run mine.prm", "no parameter file 'mine.prm'"), ("./run plan mine.prm --set Time/a=b", "no parameter file 'mine.prm'"),
-                ("./run -n 2 my.prm mine.prm", "no parameter file 'mine.prm'"), ("./run my.prm", "setup.sh"), ("./run plan my.prm --picture new.prm", "setup.sh"),
+                ("./run -n 2 my.prm mine.prm", "no parameter file 'mine.prm'"), ("./run my.prm", "setup.sh"), ("./run -n 100000 my.prm", "at most"), ("./run -n 18446744073709551617 my.prm", "at most"),
+                ("./run -n 0 my.prm", "a number of processes"), ("./run -n 3 my.prm", "setup.sh"), ("./run plan my.prm --picture new.prm", "setup.sh"),
                 ("./study mine.prm --quick", "no parameter file 'mine.prm'"), ("./study -j 2 my.prm", "setup.sh"),
                 ("./check contact", "-R '^contact'"), ("./check --quick contact", "-R '^contact'"), ("./check -R files contact", "-R '^contact'"),
                 ("./check --fast", "option --fast"), ("./check -R files -j 2 --timeout=3 --output-junit file", "setup.sh"), ("./check --debug --quick", "setup.sh")):
