@@ -258,6 +258,11 @@ void set_stiffnesses(const Parameters &parameters, const StiffnessOf &stiffness_
     d.curves.roller_bush = parts.curves.roller_bush;
   if (!contact.roller_tooth_stiffness)
     d.curves.roller_tooth = parts.curves.roller_tooth;
+  // from chord to chord a contact jumps, and with it what it would store at another place
+  if (parameters.drive.sprockets.facets > 0)
+    for (std::optional<StiffnessCurve> &curve : d.curves.roller_tooth)
+      if (curve)
+        curve->end = 0.;
   d.stiffness_per_pitch    = given.stiffness_per_pitch.value_or(parts.per_pitch);
   d.roller_bush_stiffness  = contact.roller_bush_stiffness.value_or(parts.roller_bush);
   d.roller_tooth_stiffness = contact.roller_tooth_stiffness.value_or(

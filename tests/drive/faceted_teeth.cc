@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // Teeth of chords: where their corners are, the path of a roller along a seat of chords in closed
-// form, that they never stand out of the smooth teeth, and that they tend to these by the square of
-// the length of a chord.
+// form, that they never stand out of the smooth teeth, that they tend to these by the square of the
+// length of a chord, and that their stiffness curve is that of the bottom of a gap everywhere.
 
 #include "compare.h"
 
+#include <chaindrive/drive/drive.h>
+#include <chaindrive/drive/stiffness.h>
+#include <chaindrive/drive/stiffness_fit.h>
 #include <chaindrive/drive/tooth_form.h>
 
 #include <deal.II/base/numbers.h>
@@ -83,10 +86,29 @@ void check_order(const parameters::StandardForm standard)
   compare("order of the deviation from 96 to 768 chords", std::log2(coarse / fine) / 3., 2., 1);
   verdict("nowhere outside of the smooth tooth, to 1e-12 mm", least > -1e-15);
 }
+/// On teeth of so many chords, which are half as stiff at the end of the seat: what a roller bears
+/// there over what it bears at the bottom of a gap.
+double softer_end(const unsigned int chords)
+{
+  Parameters p;
+  p.model.fidelity         = "layered";
+  p.drive.sprockets.facets = chords;
+  p.loads.resisting_torque = 150.;
+  const drive::Drive drive = drive::make_drive(p, [](const drive::Drive &d, const double load) {
+    drive::PartStiffness parts = drive::estimated_stiffness(d.chain, load, {210e9, 0.3, 7600.});
+    parts.curves.roller_tooth  = {
+         drive::StiffnessCurve{{4e8, -4e8, 0.}, {6e8, -6e8, 0.}, 2e-6, 0.03, 5e-3, 0.5}};
+    return parts;
+  });
+  const drive::StiffnessCurve &curve = *drive.curves.roller_tooth.front();
+  return drive::force_of(curve, 0.5, 1e-6) / drive::force_of(curve, 0., 1e-6);
+}
 } // namespace
 
 int main()
 {
+  compare("arcs at the end of the seat over the bottom", softer_end(0), 0.5, 6);
+  compare("chords", softer_end(16), 1., 6);
   const drive::ToothForm smooth = make_form(parameters::StandardForm::iso_min);
   check_seat(smooth, 16, 4);
   check_seat(smooth, 48, 11);
