@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/accuracy.h>
 #include <chaindrive/accuracy_table.h>
+#include <chaindrive/drive/oval_load.h>
 #include <chaindrive/files/file.h>
+#include <chaindrive/model/decide.h>
 #include <chaindrive/parameters/entries.h>
 #include <chaindrive/statics/cache.h>
 #include <chaindrive/utilities/checksum.h>
@@ -280,6 +282,15 @@ std::vector<StudyResult> find_calibration(const std::string &fixed, std::string 
   note = "The calibration of this drive, '" + file +
          "', is damaged or of another drive, and not used. Start chaindrive calibrate again.";
   return {};
+}
+
+bool bears_ovals(const Parameters &parameters, const drive::Facts &facts)
+{
+  Parameters layered           = parameters;
+  layered.model.fidelity       = "layered";
+  layered.effects.oval_rollers = parameters::Switch::on;
+  return model::decide_effects(layered).is_on(model::Effect::oval_rollers) &&
+         drive::oval_load(parameters, facts) <= 1.;
 }
 
 std::vector<StudyResult> results_of(const std::vector<StudyResult> &results,

@@ -43,6 +43,12 @@ std::string in_words(const Candidate &candidate)
                                              ", against " + model.reference + " ");
 }
 
+bool needs_ovals(const StudyResult &result)
+{
+  return std::find(result.overrides.begin(), result.overrides.end(), "Effects/Oval rollers=on") !=
+         result.overrides.end();
+}
+
 /// What tells the variant of @p result from the program's own choices, and from one of
 /// @p parameters that no study judges.
 std::string entries_text(const StudyResult &result, const Parameters &parameters)
@@ -394,7 +400,12 @@ void print_answers(std::ostream                   &out,
                    sampling     = of_sampling(studies, output, here.sampling);
       const std::string outside = results.empty() ? beyond(studies, groups) : "";
       if (results.empty() && outside.empty())
-        results = predicted(studies, output, groups);
+        {
+          results = predicted(studies, output, groups);
+          if (!bears_ovals(parameters, facts))
+            results.erase(std::remove_if(results.begin(), results.end(), needs_ovals),
+                          results.end());
+        }
       // models scatter alike: that of the reference for one whose own is not known
       Scatter of_reference;
       for (const StudyResult &result : results)

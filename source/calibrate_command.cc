@@ -44,13 +44,10 @@ struct RigidModel
 };
 
 /// Those that can be had of this drive.
-std::vector<RigidModel> rigid_models(const Parameters &parameters)
+std::vector<RigidModel> rigid_models(const Parameters &parameters, const drive::Facts &facts)
 {
   std::vector<RigidModel> models = {{"simple", "simple", false}, {"layered", "layered", false}};
-  Parameters              oval   = parameters;
-  oval.model.fidelity            = "layered";
-  oval.effects.oval_rollers      = parameters::Switch::on;
-  if (model::decide_effects(oval).is_on(model::Effect::oval_rollers))
+  if (bears_ovals(parameters, facts))
     models.push_back({"oval", "layered", true});
   return models;
 }
@@ -87,7 +84,7 @@ std::string in_ms(const double time) { return to_text(1e3 * time, 6); }
 std::vector<std::string> entries_of(const parameters::Input &input, const drive::Facts &facts)
 {
   const double pitch_time = facts.pitch_time;
-  const auto   models     = rigid_models(input.parameters);
+  const auto   models     = rigid_models(input.parameters, facts);
   std::string  names, fidelities;
   for (const RigidModel &model : models)
     {

@@ -190,6 +190,10 @@ struct Spread
 std::vector<Spread>
 spread_of(const std::vector<StudyResult> &results, const std::string &output, double wanted);
 
+/// Whether the layered model of the drive of @p parameters can have rollers that become ovals, and
+/// these bear its load (drive::oval_load()).
+bool bears_ovals(const Parameters &parameters, const drive::Facts &facts);
+
 /// What is expected of the models of @p studies.fits on a drive with the groups @p here, by @p
 /// output: error with the interval that holds for 90 of 100 drives, the cheapest model first. Empty
 /// where a fit needs a group that the drive does not have.

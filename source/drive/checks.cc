@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/drive/checks.h>
 #include <chaindrive/drive/life.h>
+#include <chaindrive/drive/oval_load.h>
 #include <chaindrive/drive/rules_of_thumb.h>
 #include <chaindrive/drive/strands.h>
 #include <chaindrive/utilities/text.h>
@@ -223,6 +224,18 @@ struct Checks
             ", or Drive/Layout/Start = settled.");
   }
 
+  void ovals()
+  {
+    if (p.effects.oval_rollers != parameters::Switch::on)
+      return;
+    const double load = oval_load(p, facts);
+    add(load > 1.,
+        "oval_rollers",
+        "In operation the first tooth presses a roller " + to_text(load, 3) +
+            " times as much as an oval between tooth and bush bears without giving way to a side, "
+            "which makes ripple out of nothing: choose Effects/Oval rollers = off.");
+  }
+
   void window()
   {
     if (!p.output.window_start || facts.pitch_time == 0.)
@@ -282,6 +295,7 @@ std::vector<Check> check_design(const Parameters &parameters, const Facts &facts
   checks.wear();
   checks.resonances();
   checks.start();
+  checks.ovals();
   checks.window();
   return std::move(checks.found);
 }

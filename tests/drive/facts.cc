@@ -151,6 +151,11 @@ int main()
   test_check("strength", torque, 390., 420.);
   test_check("joint_pressure", torque, 220., 235.);
   test_check("power", torque, 180., 187.);
+  const auto ovals = [](Parameters &p, const double x) {
+    p.effects.oval_rollers   = parameters::Switch::on;
+    p.loads.resisting_torque = x;
+  };
+  test_check("oval_rollers", ovals, 205., 225.);
   test_check(
       "speed", [](Parameters &p, const double x) { p.loads.driver_speed = x; }, 560., 575.);
   test_check(
