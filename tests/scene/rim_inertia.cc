@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A driven inertia below that of the elastic rim alone, halves or not, is refused, and one just
 // above it is accepted. The rim's is computed anew, from the lumped masses of the cells of its
-// sector.
+// sector. Of rims that are rigid the notes say by how much impacts are too hard: what
+// doc/accuracy-and-cost.md has for rims so deep, by straight lines between, and what the ends have
+// outside.
 #include "../support/decided.h"
 #include "../support/scenes.h"
 
@@ -37,6 +39,23 @@ void look(const std::string &what, const Parameters &p)
                 << '\n';
     }
 }
+/// What the notes say of the driver's rim with a rigid zone so far below its root, in pitches.
+void say_of_rigid(const double deep)
+{
+  Parameters p;
+  p.model.fidelity           = "full";
+  p.model.stiffness_from     = parameters::StiffnessFrom::dimensions;
+  p.model.elastic_sprockets  = parameters::Switch::off;
+  p.effects.tooth_compliance = parameters::Switch::on;
+  p.mesh.refinement          = 0;
+  p.output.field_interval    = 0.;
+  const drive::Drive usual   = drive::make_drive(p);
+  p.drive.sprockets.driver().hub_diameter =
+      usual.sprockets.front().form.root_diameter - 2. * deep * usual.chain.pitch;
+  for (const std::string &note : scene_of(p).notes)
+    if (note.find("roller-driver: tooth and rim") == 0)
+      std::cout << "  " << note.substr(note.find("without inertia")) << '\n';
+}
 } // namespace
 
 int main()
@@ -62,4 +81,7 @@ int main()
       look("  and with a rigid sprocket", p);
       p.drive.sprockets.driven().elastic = parameters::Switch::automatic;
     }
+  std::cout << "rigid\n";
+  for (const double deep : {0.2, 0.36, 0.51, 0.9, 1.3})
+    say_of_rigid(deep);
 }
