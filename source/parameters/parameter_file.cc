@@ -29,8 +29,15 @@ std::string read_text(const std::string &file)
   std::error_code error;
   const auto      status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status))
-    throw InputError("There is no parameter file '" + file +
-                     "'. Name an existing .prm file, or write one with: chaindrive template");
+    {
+      const bool meant = std::filesystem::is_regular_file(file + ".prm", error),
+                 word  = file.find_first_of("./") == std::string::npos;
+      throw InputError("There is no parameter file '" + file + "'. " +
+                       (meant ? "Did you mean '" + file + ".prm'?" :
+                                std::string("Name an existing .prm file, or write one with: "
+                                            "chaindrive template") +
+                                    (word ? ". For all commands: chaindrive --help" : "")));
+    }
   if (std::filesystem::is_directory(status))
     throw InputError("'" + file + "' is a directory, not a parameter file.");
   std::ifstream in(file, std::ios::binary);

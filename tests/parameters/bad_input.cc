@@ -37,6 +37,9 @@ int main()
 {
   std::cout << "files" << std::endl;
   read("no_such_file.prm");
+  read("help");
+  std::ofstream("without_ending.prm") << "";
+  read("without_ending");
   std::filesystem::create_directory("a_directory");
   read("a_directory");
   read_text("empty", "");
