@@ -108,9 +108,8 @@ def main():
     asked = parser.parse_args()
     entries = dict(text.split("=", 1) for text in asked.set)
     with tempfile.TemporaryDirectory() as folder:
-        words = program.command(
-            os.path.abspath(asked.file), entries, "--quiet", "--output", f"{folder}/run", program=asked.program, ranks=2
-        )
+        options = ("--quiet", "--output", f"{folder}/run")
+        words = program.command(os.path.abspath(asked.file), entries, *options, program=asked.program, ranks=2)
         done = program.start(words, {"LD_PRELOAD": str(compiled(folder)), "TIMES_FOLDER": folder})
         program.check(done.returncode == 0, f"status {done.returncode}: {' '.join(words)}\n{done.stdout}{done.stderr}")
         of_ranks = [parts(read(folder, rank)) for rank in range(2)]

@@ -1,16 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""rank_times.py: what scripts/rank_times.py makes of the calls of two ranks, in cases that are told by hand."""
-import importlib.util
+"""waiting_ranks.py: what scripts/rank_times.py makes of the calls of two ranks, in cases that are told by hand."""
 import math
-import pathlib
-import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
-path = pathlib.Path(sys.path[0], "rank_times.py")
-spec = importlib.util.spec_from_file_location("times_of_ranks", path)
-times = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(times)
-from program import check  # noqa: E402
+import rank_times as times
+from program import check
 
 SUM = (times.EXCHANGE, 1)
 RECORDS = 2  # a tag
