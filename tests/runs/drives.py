@@ -63,7 +63,6 @@ def tensioner(drive):
     idler(drive)
     travel, moment = drive.of("hubs/idler_travel", False), drive.of("hubs/idler_tensioner_moment", False)
     speed = np.gradient(travel, drive.time)
-    rms = lambda x: np.sqrt(np.mean(np.square(x[2:-2])))  # noqa: E731
     below("moment off the law of spring and damper, over that of the damper", rms(moment - (5 - 8 * travel - 0.05 * speed)) / rms(0.05 * speed), 0.05)
     program.check(travel.min() > math.radians(-10) and travel.max() < math.radians(25), "it has met a stop")
     program.check(np.ptp(travel) > 1e-4, "it does not move")
@@ -74,8 +73,11 @@ def tensioner(drive):
     of_chain = (np.conj(lever) * load).imag
     mean = moment[drive.inside].mean()
     near("mean moment of chain and spring about the pivot, N m", (of_chain.mean() + mean) / mean, 0, 0.03)
-    planned = drive.summary["drive"]["spans"][0]["tension"]
-    near("tension beside the tensioner over the planned one", drive.tension("driver_to_idler") / planned, 1, 0.03)
+    # driven slowly, over four pitches; at 960 rpm waves in the slack span raise it by 6 %
+    program.run(FOLDER / f"{NAME}.prm", {"Loads/Driver speed in rpm": 60, "Time/End time in ms": 300, "Output/Window start in ms": 64.7}, "--output", "slow",
+                program=PROGRAM)
+    slow = program.summary("slow")
+    near("tension beside the tensioner over the planned one", slow["spans"]["driver_to_idler"]["tension_mean"] / slow["drive"]["spans"][0]["tension"], 1, 0.03)
     tensioner_in_space()
     tensioner_with_elastic_links()
 
@@ -93,7 +95,6 @@ def tensioner_with_elastic_links():
         run, summary = chaindrive.open(name), program.summary(name)
         travel, moment = np.asarray(run["hubs/idler_travel"]), np.asarray(run["hubs/idler_tensioner_moment"])
         speed = np.gradient(travel, run.time)
-        rms = lambda x: np.sqrt(np.mean(np.square(x[2:-2])))  # noqa: E731
         below(f"{name}: moment off the law of spring and damper, over that of the damper", rms(moment - (5 - 8 * travel - 0.05 * speed)) / rms(0.05 * speed), 0.05)
         below(f"{name}: travel of the arm at the start off that of rigid links, degrees", math.degrees(abs(travel[0] - rigid)), 1)
         program.check(np.ptp(travel) > 1e-5, f"{name}: the arm does not move")
@@ -103,12 +104,11 @@ def tensioner_with_elastic_links():
 
 def tensioner_in_space():
     """In space, with fields, on two ranks; and resumed: the same histories, those in the plane to round-off."""
-    entries = {"Output/History precision": "double", "Time/End time in ms": 3, "Output/Window start in ms": 1, "Output/Field interval in ms": 1}
-    entries["Output/Checkpoint interval in ms"] = 1
-    layered = {**entries, "Model/Fidelity": "layered", "Effects/Planar motion": "off"}
-    layered.update({"Drive/Layout/Start": "taut", "Drive/Layout/Tight span": "lower", "Drive/Wheels/idler/Held by": "slide"})
-    layered.update({"Drive/Wheels/idler/Slide/Direction in degrees": -90, "Drive/Wheels/idler/Slide/Force in N": 60})
-    layered.update({"Drive/Wheels/idler/Slide/Stiffness in N/m": 1000, "Time/Time step in us": 0.12})
+    slide = "Drive/Wheels/idler/Slide/"
+    layered = {"Output/History precision": "double", "Time/End time in ms": 3, "Output/Window start in ms": 1, "Output/Field interval in ms": 1,
+               "Output/Checkpoint interval in ms": 1, "Model/Fidelity": "layered", "Effects/Planar motion": "off", "Drive/Layout/Start": "taut",
+               "Drive/Layout/Tight span": "lower", "Drive/Wheels/idler/Held by": "slide", f"{slide}Direction in degrees": -90,
+               f"{slide}Force in N": 60, f"{slide}Stiffness in N/m": 1000, "Time/Time step in us": 0.12}
     file = FOLDER / f"{NAME}.prm"
     program.run(file, layered, "--output", "whole", program=PROGRAM)
     program.run(file, layered, "--output", "ranks", program=PROGRAM, ranks=2)
