@@ -104,7 +104,7 @@ def table():
 
 def known_models():
     """(drive, model) of which errors are known: ovals are not of drives whose load is too large for them."""
-    rows = {(row[0], row[1]) for row in table()}
+    rows = {tuple(row[:2]) for row in table()}
     return [(drive, model) for drive in FILES for model in MODELS if (drive, model) in rows]
 
 
