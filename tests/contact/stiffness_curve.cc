@@ -4,8 +4,8 @@
 // body that meets a bush with the force k d^2 has the peak and the duration of the closed form, and
 // beyond the depth up to which stiffness grows the peak that its energy makes; a roller anywhere on
 // a seat bears what the curve says there; whatever bush, roller and teeth do, energy stays, also on
-// the way around, but not on chords that are softer higher up; and the critical time step is that of
-// the largest tangent stiffness.
+// the way around, but not on chords that are softer higher up; and the critical time step is that
+// of the largest tangent stiffness.
 #include "../support/planar_roller.h"
 
 #include <chaindrive/contact/planar_contact.h>

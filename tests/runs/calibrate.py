@@ -17,7 +17,7 @@ from small_drives import RIGID
 
 PROGRAM = sys.argv[1]
 HARD = REPOSITORY / "prm/verification/hard.prm"
-DRIVE = {**RIGID, "Loads/Driver speed in rad/s": 240, "Model/Stiffness from": "dimensions", "Loads/Ramp time in ms": 0.5,
+DRIVE = {**RIGID, "Loads/Driver speed in rad/s": 240, "Model/Stiffness from": "dimensions", "Loads/Ramp time in ms": 1.3,
          "Time/End time in ms": 3, "Output/Window start in ms": 1}
 FOLDER = pathlib.Path("calibration")
 CACHE = pathlib.Path("cache").absolute()  # of this test alone; what parts take is computed once more

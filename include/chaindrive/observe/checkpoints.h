@@ -78,8 +78,8 @@ private:
 };
 
 /// The checkpoint that @p resume asks for: `auto`, a file, which must lie in @p directory, or its
-/// name there; null when nothing is asked for, or nothing is there. @p fixed as above. `auto` takes the older one
-/// when the newest is damaged, and says so. InputError when it cannot be used.
+/// name there; null when nothing is asked for, or nothing is there. @p fixed as above. `auto` takes
+/// the older one when the newest is damaged, and says so. InputError when it cannot be used.
 std::unique_ptr<files::CheckpointFile> find_checkpoint(const std::string &resume,
                                                        const std::string &directory,
                                                        const std::string &fixed,
