@@ -101,7 +101,7 @@ int main(int argc, char **argv)
   p.drive.layout.start      = parameters::Start::settled;
   p.loads.driver_speed      = 100.;
   p.loads.resisting_torque  = 20.;
-  p.time.end                = 3e-3;
+  p.time.end                = 5e-3;
   p.output.window_start     = 0.;
   p.output.history_interval = 1e-9; // every step
   p.output.csv              = true;
