@@ -26,10 +26,11 @@ def read(studies):
     """{output: {variant: (CPU time over that of the reference, error, low, high in percent)}} of all but the references."""
     found = {}
     for line in (HERE.parent / "source/accuracy.tsv").read_text(encoding="utf-8").splitlines():
-        if line.startswith(("#", "drive\t")):
+        columns = line.split("\t")
+        if columns[0] not in studies:
             continue
-        study, variant, reference, output, error, low, high, cpu, of_reference = line.split("\t")[:9]
-        if study in studies and variant != reference:
+        _, variant, reference, output, error, low, high, cpu, of_reference = columns[:9]
+        if variant != reference:
             found.setdefault(output, {})[variant] = (float(cpu) / float(of_reference), float(error), float(low), float(high))
     return found
 
