@@ -232,7 +232,7 @@ struct Checks
     add(load > 1.,
         "oval_rollers",
         "In operation the first tooth presses a roller " + to_text(load, 3) +
-            " times as much as an oval between tooth and bush bears without giving way to a side, "
+            " times as much as an oval between tooth and bush bears without buckling to a side, "
             "which makes ripple out of nothing: choose Effects/Oval rollers = off.");
   }
 
