@@ -325,7 +325,8 @@ Answer answer(const std::vector<StudyResult> &results,
           until == here.until.end() ? result.scatter.half(here.pitches) : until->second;
       one.run      = of_model * alone;
       one.together = with_numerics(result, one.run);
-      if (one.together.bound() <= wanted)
+      // of less than a pitch there is no mean, so that no scatter is known of
+      if (one.together.bound() <= wanted && here.pitches >= 1.)
         one.pitches = here.pitches;
       else if (const double room = room_for_run(one, wanted); room > 0.)
         {
