@@ -64,6 +64,7 @@ ComplementarityProblem JointBatch::problem_of(const int                       la
   coupled.stride  = ComplementaritySolver::padded(m + k);
   coupled.matrix.resize_fast(std::size_t(m + k) * coupled.stride);
   coupled.is_there.assign(m + k, 0);
+  coupled.of_strip = Exact::Coupled::no_strip;
   e.gap[lane].resize(coupled.stride, 0.);
   for (unsigned int a = 0; a < k; ++a)
     {
@@ -94,7 +95,7 @@ void JointBatch::Exact::Coupled::need(const unsigned int row)
         }
       double            *number = matrix.data() + std::size_t(begin) * stride + m;
       const unsigned int of     = wall->n_rings();
-      unsigned int       known  = std::numeric_limits<unsigned int>::max(); // strip
+      unsigned int       known  = no_strip;
       of_place.resize(std::size_t(of) * n_rings);
       for (unsigned int a = 0; a < k; ++a)
         {
@@ -113,12 +114,21 @@ void JointBatch::Exact::Coupled::need(const unsigned int row)
   double            *number = matrix.data() + std::size_t(row) * stride;
   const unsigned int a      = row - m;
   std::fill(number + m + k, number + stride, 0.);
-  wall->at(strips->unknown[a], first - strips->direction[a], column, m / n_rings, number);
-  for (unsigned int i = 0; i < m; ++i)
-    number[i] = -number[i];
-  const float *const of_strip = strips->flexibility->row(strips->unknown[a]);
+  const unsigned int of = wall->n_rings(), strip = strips->unknown[a] / of,
+                     in_row = of * n_rings; // rings of a strip mostly touch together
+  if (strip != of_strip)
+    {
+      of_columns.resize(std::size_t(m) * of);
+      wall->at(strip, first - strips->direction[a], column, m / n_rings, of_columns.data());
+      of_strip = strip;
+    }
+  const double *of_ring = of_columns.data() + std::size_t(strips->unknown[a] % of) * n_rings;
+  for (unsigned int i = 0; i < m; i += n_rings, of_ring += in_row)
+    for (unsigned int q = 0; q < n_rings; ++q)
+      number[i + q] = -of_ring[q];
+  const float *const of_others = strips->flexibility->row(strips->unknown[a]);
   for (unsigned int b = 0; b < k; ++b)
-    number[m + b] = of_strip[strips->unknown[b]];
+    number[m + b] = of_others[strips->unknown[b]];
 }
 
 double JointBatch::take_strips(const int lane, const unsigned int n)

@@ -22,7 +22,7 @@ using dealii::numbers::PI;
 // close. What closes gaps is the bush, through the wall: less than the tooth's own force deflects.
 constexpr double margin = 3e-6;
 // m: where a roller touches, beyond four times what forces close
-constexpr double beside        = 1.5e-6;
+constexpr double beside        = 0.5e-6;
 constexpr double strip_sagitta = 1e-6; // m: more than points of a strip lie off its middle's circle
 constexpr double near_centre   = 0.05; // over the radius: no modes let a circle so far away touch
 
@@ -189,11 +189,18 @@ ClosedStrips RollerStrips::close(const std::vector<double> &middles,
         }
   const std::size_t n_bore = std::size_t(n_bore_rings) * n;
   closed.through.resize(unknown.size() * n_bore);
+  std::vector<double> of_strip(m * n_bore); // [column][ring][ring of the bore]
   for (unsigned int a = 0; a < unknown.size(); ++a)
     {
       for (const unsigned int b : unknown)
         closed.flexibility.push_back(flexibility_->at(unknown[a], b));
-      wall.at(unknown[a], -closed.places[a].angle, 2. * PI / n, n, &closed.through[a * n_bore]);
+      const unsigned int strip = unknown[a] / m;
+      if (a % m == 0) // all rings of a strip come one after the other
+        wall.at(strip, -closed.places[a].angle, 2. * PI / n, n, of_strip.data());
+      for (unsigned int c = 0; c < n; ++c)
+        std::copy_n(&of_strip[(std::size_t(c) * m + a % m) * n_bore_rings],
+                    n_bore_rings,
+                    &closed.through[a * n_bore + std::size_t(c) * n_bore_rings]);
     }
   return closed;
 }
@@ -383,18 +390,23 @@ void RollerStrips::list_unknowns(Roller &roller, const double by_modes, const do
       }
   const double near = touched ? by_forces : margin + 2. * penetration;
   auto         last = roller.touching.begin();
+  std::size_t  n    = 0;
+  problem.resize(candidates_.size());
+  roller.unknowns.resize(candidates_.size());
   for (const Candidate &candidate : candidates_)
     if (candidate.gap < near)
       {
         while (last != roller.touching.end() && last->unknown < candidate.unknown)
           ++last;
-        const bool again = last != roller.touching.end() && last->unknown == candidate.unknown;
-        problem.unknown.push_back(candidate.unknown);
-        problem.direction.push_back(roller.strips[candidate.strip].angle);
-        problem.gap.push_back(candidate.gap);
-        problem.force.push_back(again ? last->force : 0.);
-        roller.unknowns.push_back({candidate.strip, candidate.turning});
+        const bool again     = last != roller.touching.end() && last->unknown == candidate.unknown;
+        problem.unknown[n]   = candidate.unknown;
+        problem.direction[n] = roller.strips[candidate.strip].angle;
+        problem.gap[n]       = candidate.gap;
+        problem.force[n]     = again ? last->force : 0.;
+        roller.unknowns[n++] = {candidate.strip, candidate.turning};
       }
+  problem.resize(n);
+  roller.unknowns.resize(n);
 }
 
 void RollerStrips::measure(const World &world, const unsigned int i)

@@ -64,11 +64,11 @@ std::vector<double> harmonics_of(const std::vector<double> &values, const unsign
   return sums;
 }
 
-/// The sum of cos(k x) / k^3 over all k from a first one on.
+/// The sums of cos(k x) / k^3 over all k from either of two first ones on.
 class CubedCosines
 {
 public:
-  explicit CubedCosines(const unsigned int first) : first_(first)
+  explicit CubedCosines(const std::array<unsigned int, 2> &first) : first_(first)
   {
     // zeta of even numbers
     for (unsigned int m = 1; m <= n_terms; ++m)
@@ -80,7 +80,7 @@ public:
       }
   }
 
-  double operator()(const double angle) const
+  std::array<double, 2> operator()(const double angle) const
   {
     constexpr double zeta_3 = 1.2020569031595942;
     const double     x = std::abs(std::remainder(angle, 2. * PI)), square = x * x;
@@ -89,39 +89,59 @@ public:
     for (unsigned int m = n_terms; m-- > 0;)
       series = (series + term_[m]) * square / (4. * PI * PI);
     double sum = zeta_3 + (x > 0. ? square * (0.5 * std::log(x) - 0.75) : 0.) - square * series;
-    const double first  = std::cos(x);
-    double       before = 1., cosine = first;
-    for (unsigned int k = 1; k < first_; ++k)
+    const double          first  = std::cos(x);
+    double                before = 1., cosine = first;
+    std::array<double, 2> from{};
+    for (unsigned int k = 1;; ++k)
       {
+        for (unsigned int i = 0; i < from.size(); ++i)
+          if (k == first_[i])
+            from[i] = sum;
+        if (k >= first_[0] && k >= first_[1])
+          return from;
         sum -= cosine / (double(k) * k * k);
         const double next = 2. * first * cosine - before;
         before            = cosine;
         cosine            = next;
       }
-    return sum;
   }
 
 private:
   static constexpr unsigned int n_terms = 20;
 
-  unsigned int                first_;
+  std::array<unsigned int, 2> first_;
   std::array<double, n_terms> term_{};
 };
 
 constexpr unsigned int first_of_tooth = 4; ///< harmonic in which a tooth deflects as a half-space
-} // namespace
 
-StripFlexibility::OfPair StripFlexibility::short_waves(const unsigned int first,
-                                                       const double       factor) const
+/// What 1 / k in all harmonics from either of two first ones on makes of even pressures on one
+/// strip in another one.
+class ShortWaves
 {
-  // with sin(k v) sin(k w) cos(k d) as cosines of sums of the angles
-  return [this, factor, sum = CubedCosines(first)](const unsigned int a, const unsigned int b) {
+public:
+  ShortWaves(const StripGrid &grid, const std::array<unsigned int, 2> &first)
+      : grid_(grid), sum_(first)
+  {
+  }
+
+  std::array<double, 2> between(const unsigned int a, const unsigned int b) const
+  {
+    // with sin(k v) sin(k w) cos(k d) as cosines of sums of the angles
     const double d = grid_.middle[a] - grid_.middle[b], v = grid_.half_width[a],
                  w = grid_.half_width[b];
-    return 0.25 * factor / (v * w) *
-           (sum(d + v - w) + sum(d - v + w) - sum(d + v + w) - sum(d - v - w));
-  };
-}
+    const auto s = sum_(d + v - w), t = sum_(d - v + w), p = sum_(d + v + w), q = sum_(d - v - w);
+    std::array<double, 2> of_both{};
+    for (unsigned int i = 0; i < of_both.size(); ++i)
+      of_both[i] = s[i] + t[i] - p[i] - q[i];
+    return of_both;
+  }
+
+private:
+  const StripGrid &grid_;
+  CubedCosines     sum_;
+};
+} // namespace
 
 StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
                                    const StripGrid                   &grid,
@@ -152,20 +172,18 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
           of_mesh += lengths[r] * harmonic(k, r, s) * lengths[s] / length;
       lacking.push_back(std::max(0., of_half_space / k - of_mesh));
     }
-  std::vector<OfPair> in_rings = {[&](const unsigned int a, const unsigned int b) {
-                                    double sum = 0.;
-                                    for (unsigned int i = 0; i < lacking.size(); ++i)
-                                      sum +=
-                                          lacking[i] * on_strips.between(n_columns / 4 + i, a, b);
-                                    return sum;
-                                  },
-                                  short_waves(n_columns / 2 + 1, of_half_space)};
-  OfPair              seat     = [](unsigned int, unsigned int) { return 0.; };
-  if (tooth.stiffness > 0.)
-    {
-      in_rings.push_back(short_waves(first_of_tooth, of_half_space));
-      seat = seat_of(tooth, length, of_half_space);
-    }
+  const ShortWaves short_waves(grid_, {{n_columns / 2 + 1, first_of_tooth}});
+  const auto       in_rings = [&](const unsigned int a, const unsigned int b) {
+    double of_mesh = 0.;
+    for (unsigned int i = 0; i < lacking.size(); ++i)
+      of_mesh += lacking[i] * on_strips.between(n_columns / 4 + i, a, b);
+    const std::array<double, 2> sum = short_waves.between(a, b);
+    const double factor = 0.25 * of_half_space / (grid_.half_width[a] * grid_.half_width[b]);
+    return std::array<double, 3>{
+        {of_mesh, factor * sum[0], tooth.stiffness > 0. ? factor * sum[1] : 0.}};
+  };
+  const OfPair seat = tooth.stiffness > 0. ? seat_of(tooth, length, of_half_space) :
+                                             [](unsigned int, unsigned int) { return 0.; };
 
   // The rows of a strip up to its own, which fit into the cache: strips above are as those below,
   // rings of one as well.
@@ -185,12 +203,9 @@ StripFlexibility::StripFlexibility(const reduction::RoundFlexibility &outside,
                 for (unsigned int s = 0; s < m; ++s)
                   block[r * n_below + s] += part * harmonic(k, r, s);
             }
-          for (const OfPair &of_pair : in_rings)
-            {
-              const double of_length = of_pair(a, b);
-              for (unsigned int r = 0; r < m; ++r)
-                block[r * n_below + r] += of_length / lengths[r];
-            }
+          for (const double of_length : in_rings(a, b))
+            for (unsigned int r = 0; r < m; ++r)
+              block[r * n_below + r] += of_length / lengths[r];
           const double moved = seat(a, b);
           for (unsigned int r = 0; r < m; ++r)
             for (unsigned int s = 0; s < m; ++s)
@@ -348,23 +363,23 @@ void WallFlexibility::at(const unsigned int strip, const double angle, double *v
     value[i] = rest * from[i] + place.part * from[n + i];
 }
 
-void WallFlexibility::at(const unsigned int i,
+void WallFlexibility::at(const unsigned int strip,
                          const double       angle,
                          const double       step,
                          const unsigned int n,
                          double            *value) const
 {
-  const unsigned int m = n_places_, stride = n_in_row();
-  const float       *table = table_of(i / n_rings_) + std::size_t(i % n_rings_) * m;
+  const unsigned int m     = n_in_row();
+  const float       *table = table_of(strip);
   const double       rows = step / (2. * PI) * n_turn_, all = n_turn_, first = row_of(angle);
   double             row = first;
   for (unsigned int k = 0; k < n; ++k, value += m)
     {
       const Place  place = place_of(row);
-      const float *from  = table + std::size_t(place.row) * stride;
+      const float *from  = table + std::size_t(place.row) * m;
       const double rest  = 1. - place.part;
-      for (unsigned int q = 0; q < m; ++q)
-        value[q] = rest * from[q] + place.part * from[stride + q];
+      for (unsigned int i = 0; i < m; ++i)
+        value[i] = rest * from[i] + place.part * from[m + i];
       row = first + (k + 1) * rows;
       if (row >= all)
         row -= all;

@@ -101,6 +101,14 @@ ToothStrips::ToothStrips(const ToothForm &form, const double radius)
       x_.push_back(strip.middle[0]);
       y_.push_back(strip.middle[1]);
     }
+  for (std::size_t first = 0; first < x_.size(); first += n_in_block)
+    {
+      const std::size_t end = std::min(x_.size(), first + n_in_block);
+      Block             block{0.5 * (strips_[first].middle + strips_[end - 1].middle), 0.};
+      for (std::size_t i = first; i < end; ++i)
+        block.radius = std::max(block.radius, (strips_[i].middle - block.centre).norm());
+      blocks_.push_back(block);
+    }
   constexpr double far_away = 1e6; // m
   x_.resize((x_.size() + n_in_block - 1) / n_in_block * n_in_block, far_away);
   y_.resize(x_.size(), far_away);
@@ -114,6 +122,10 @@ void ToothStrips::find_near(const Tensor<1, 2>        &centre,
   numbers.clear();
   for (unsigned int first = 0; first < x_.size(); first += n_in_block)
     {
+      const Block &block = blocks_[first / n_in_block];
+      const double reach = (1. + strip_round_off) * (distance + block.radius);
+      if ((block.centre - centre).norm_square() > reach * reach)
+        continue;
       double       of[n_in_block];
       unsigned int any = 0;
       for (unsigned int i = 0; i < n_in_block; ++i)

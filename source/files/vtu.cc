@@ -101,8 +101,8 @@ private:
     return packed;
   }
 
-  /// Whether a block shrinks by more than a fifth, as pieces of it tell. Digits of velocities and
-  /// stresses do not: they would cost most of the time, for a tenth of the file.
+  /// Whether a block shrinks by more than a third, as pieces of it tell. Digits of what is
+  /// simulated do not: they would cost most of the time, for a tenth of the file.
   bool pays(const char *bytes, const std::size_t length) const
   {
     constexpr std::size_t n_pieces = 8, piece = 1 << 11, size = n_pieces * piece;
@@ -111,7 +111,7 @@ private:
     std::string pieces;
     for (std::size_t i = 0; i < n_pieces; ++i) // each begins with a number
       pieces.append(bytes + i * (length - piece) / (n_pieces - 1) / 4 * 4, piece);
-    const std::size_t room = 4 * size / 5; // nothing is returned if this is too little
+    const std::size_t room = 2 * size / 3; // nothing is returned if this is too little
     std::string       packed(room, '\0');
     return libdeflate_zlib_compress(compressor_.get(), pieces.data(), size, &packed[0], room) > 0;
   }

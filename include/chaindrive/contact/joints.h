@@ -274,6 +274,10 @@ private:
       dealii::AlignedVector<double>   matrix;
       std::vector<char>               is_there; ///< of its rows
       std::vector<double>             of_place; ///< room for a strip and a column
+
+      static constexpr unsigned int no_strip = static_cast<unsigned int>(-1);
+      unsigned int                  of_strip = no_strip; ///< whose numbers of_columns has
+      std::vector<double>           of_columns;          ///< [column][ring][place]
     };
     std::array<Coupled, n_lanes> coupled;
 

@@ -100,9 +100,6 @@ private:
   /// numbers in the grid.
   using OfPair = std::function<double(unsigned int, unsigned int)>;
 
-  /// On rings of unit length, @p factor / k in all harmonics from @p first on.
-  OfPair short_waves(unsigned int first, double factor) const;
-
   /// What of a @p tooth, which must outlive it, moves as a whole under rings of this @p length
   /// together, m; @p of_half_space: what one of unit length deflects by in the first harmonic.
   static OfPair seat_of(const Tooth &tooth, double length, double of_half_space);
@@ -127,14 +124,15 @@ public:
   /// places, at the @p angle [rad] from the middle of the strip: [ring][place], m/N.
   void at(unsigned int strip, double angle, double *value) const;
 
-  /// What one of these rings moves, a strip and ring being numbered as in StripFlexibility, @p n
-  /// times, at most a whole turn: so far, @p step > 0, from one time to the next: [time][place].
-  void at(unsigned int i, double angle, double step, unsigned int n, double *value) const;
+  /// The same @p n times, at most a whole turn: so far, @p step > 0, from one time to the next:
+  /// [time][ring][place].
+  void at(unsigned int strip, double angle, double step, unsigned int n, double *value) const;
 
   unsigned int n_rings() const { return n_rings_; }
   unsigned int n_places() const { return n_places_; }
 
-  /// By how much more that is for each radian, at place @p q, m/N.
+  /// By how much more one of these rings moves for each radian, a strip and ring being numbered as
+  /// in StripFlexibility, at place @p q, m/N.
   double slope(unsigned int i, double angle, unsigned int q) const;
 
 private:

@@ -3,6 +3,7 @@
 
 #include <chaindrive/contact/strip_flexibility.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace chaindrive::contact
@@ -22,13 +23,16 @@ struct StripProblem
 
   unsigned int n() const { return static_cast<unsigned int>(unknown.size()); }
 
-  void clear()
+  /// Room for @p n of them, without couples.
+  void resize(const std::size_t n)
   {
-    unknown.clear();
-    direction.clear();
+    unknown.resize(n);
+    direction.resize(n);
     couple.clear();
-    gap.clear();
-    force.clear();
+    gap.resize(n);
+    force.resize(n);
   }
+
+  void clear() { resize(0); }
 };
 } // namespace chaindrive::contact

@@ -47,5 +47,13 @@ private:
   StripGrid           grid_;
   std::vector<double> slopes_;
   std::vector<double> x_, y_; ///< of their middles, made up to blocks by points far away, m
+
+  /// A circle about the middles of a block.
+  struct Block
+  {
+    dealii::Tensor<1, 2> centre; ///< m
+    double               radius; ///< m
+  };
+  std::vector<Block> blocks_;
 };
 } // namespace chaindrive::contact
