@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <chaindrive/bodies/rigid_bodies.h>
+#include <chaindrive/bodies/turning.h>
 #include <chaindrive/bodies/world.h>
 
 namespace chaindrive
@@ -14,6 +15,69 @@ dealii::Tensor<1, 3> angular_velocity(const World::Rotation      &rotation,
   for (unsigned int d = 0; d < 3; ++d)
     in_body[d] /= rotation.inertia[d];
   return matrix * in_body;
+}
+
+/// Turns one body on, as turn() does several.
+void turn(World::Rotation &rotation, Frame &frame, const double dt)
+{
+  // midpoint: the angular velocity where the body will be after half the step
+  const Quaternion half =
+      rotation_by(0.5 * dt * angular_velocity(rotation, frame.rotation)) * rotation.orientation;
+  frame.angular_velocity = angular_velocity(rotation, to_matrix(half));
+  rotation.orientation =
+      normalized(rotation_by(dt * frame.angular_velocity) * rotation.orientation);
+  frame.rotation = to_matrix(rotation.orientation);
+}
+
+/// Calls @p use(lane, rotation, frame) for those of @p world from number @p first on, as many as
+/// there are lanes.
+template <typename Use>
+void for_each_lane(World &world, const std::size_t first, const Use &use)
+{
+  for (unsigned int lane = 0; lane < n_lanes && first + lane < world.rotations.size(); ++lane)
+    {
+      World::Rotation &rotation = world.rotations[first + lane];
+      use(lane, rotation, world.frames[rotation.body]);
+    }
+}
+
+/// The bodies from number @p first on; lanes beyond the last one have what they had.
+void take(World &world, const std::size_t first, Turning &bodies)
+{
+  for_each_lane(
+      world, first, [&](const unsigned int lane, const auto &rotation, const auto &frame) {
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            bodies.momentum[d][lane] = rotation.momentum[d];
+            bodies.inertia[d][lane]  = rotation.inertia[d];
+            for (unsigned int e = 0; e < 3; ++e)
+              bodies.rotation[3 * d + e][lane] = frame.rotation[d][e];
+          }
+        const Quaternion &q         = rotation.orientation;
+        bodies.orientation[0][lane] = q.w;
+        bodies.orientation[1][lane] = q.x;
+        bodies.orientation[2][lane] = q.y;
+        bodies.orientation[3][lane] = q.z;
+      });
+}
+
+void give_angular_velocity(const Turning &bodies, const unsigned int lane, Frame &frame)
+{
+  for (unsigned int d = 0; d < 3; ++d)
+    frame.angular_velocity[d] = bodies.angular_velocity[d][lane];
+}
+
+/// Bodies that do not turn, for lanes without one.
+Turning at_rest()
+{
+  Turning bodies{};
+  for (unsigned int lane = 0; lane < n_lanes; ++lane)
+    {
+      bodies.orientation[0][lane] = 1.;
+      for (unsigned int d = 0; d < 3; ++d)
+        bodies.inertia[d][lane] = bodies.rotation[4 * d][lane] = 1.;
+    }
+  return bodies;
 }
 
 void set_velocities(World &world)
@@ -54,27 +118,37 @@ void RigidBodies::drift(World &world, const Step &step)
         world.frames[b].position[d] = world.origin[b][d] + u[3 * b + d];
       }
 
-  for (World::Rotation &rotation : world.rotations)
+  Turning bodies = at_rest();
+  for (std::size_t first = 0; first < world.rotations.size(); first += n_lanes)
     {
-      Frame &frame = world.frames[rotation.body];
-      // midpoint: the angular velocity where the body will be after half the step
-      const Quaternion half =
-          rotation_by(0.5 * step.dt * angular_velocity(rotation, frame.rotation)) *
-          rotation.orientation;
-      frame.angular_velocity = angular_velocity(rotation, to_matrix(half));
-      rotation.orientation =
-          normalized(rotation_by(step.dt * frame.angular_velocity) * rotation.orientation);
-      frame.rotation = to_matrix(rotation.orientation);
+      take(world, first, bodies);
+      if (!turn(bodies, step.dt))
+        for_each_lane(world, first, [&](unsigned int, auto &rotation, auto &frame) {
+          turn(rotation, frame, step.dt);
+        });
+      else
+        for_each_lane(world, first, [&](const unsigned int lane, auto &rotation, auto &frame) {
+          const auto &q        = bodies.orientation;
+          rotation.orientation = {q[0][lane], q[1][lane], q[2][lane], q[3][lane]};
+          give_angular_velocity(bodies, lane, frame);
+          for (unsigned int d = 0; d < 3; ++d)
+            for (unsigned int e = 0; e < 3; ++e)
+              frame.rotation[d][e] = bodies.rotation[3 * d + e][lane];
+        });
     }
   set_velocities(world);
 }
 
 void RigidBodies::finish(World &world, const Step & /*step*/)
 {
-  for (World::Rotation &rotation : world.rotations)
+  Turning bodies = at_rest();
+  for (std::size_t first = 0; first < world.rotations.size(); first += n_lanes)
     {
-      Frame &frame           = world.frames[rotation.body];
-      frame.angular_velocity = angular_velocity(rotation, frame.rotation);
+      take(world, first, bodies);
+      find_angular_velocity(bodies);
+      for_each_lane(world, first, [&](const unsigned int lane, auto &, auto &frame) {
+        give_angular_velocity(bodies, lane, frame);
+      });
     }
   set_velocities(world);
 }

@@ -148,15 +148,37 @@ double JointBatch::take_strips(const int lane, const unsigned int n)
       set.pressure.pop_back();
     }
   strips->couple.assign(strips->n(), 0.);
-  const unsigned int n_rings = e.flexibility.n_rings();
+  Exact::Coupled        &coupled = e.coupled[lane];
+  const WallFlexibility &wall    = *coupled.wall;
+  const unsigned int     n_rings = e.flexibility.n_rings(), of = wall.n_rings();
+  unsigned int           known = Exact::Coupled::no_strip;
   for (unsigned int a = 0; a < strips->n(); ++a)
     if (strips->force[a] > 0.)
-      for (unsigned int b = 0; b < set.number.size(); ++b)
-        strips->couple[a] += strips->force[a] * set.pressure[b] *
-                             e.coupled[lane].wall->slope(
-                                 strips->unknown[a],
-                                 column_angle(lane, set.number[b] / n_rings) - strips->direction[a],
-                                 set.number[b] % n_rings);
+      {
+        // slopes at the columns that touch, one after the other; rings mostly touch together
+        const unsigned int strip = strips->unknown[a] / of, ring = strips->unknown[a] % of;
+        const std::size_t  in_row  = std::size_t(of) * n_rings;
+        std::size_t        n_found = 0;
+        for (unsigned int b = 0; b < set.number.size(); ++b)
+          {
+            const unsigned int column = set.number[b] / n_rings;
+            if (b == 0 || column != set.number[b - 1] / n_rings)
+              {
+                n_found += in_row;
+                if (strip != known)
+                  {
+                    coupled.slopes.resize(n_found);
+                    wall.slope(strip,
+                               column_angle(lane, column) - strips->direction[a],
+                               &coupled.slopes[n_found - in_row]);
+                  }
+              }
+            strips->couple[a] +=
+                strips->force[a] * set.pressure[b] *
+                coupled.slopes[n_found - in_row + ring * n_rings + set.number[b] % n_rings];
+          }
+        known = strip;
+      }
   return stored;
 }
 

@@ -386,11 +386,12 @@ void WallFlexibility::at(const unsigned int strip,
     }
 }
 
-double WallFlexibility::slope(const unsigned int i, const double angle, const unsigned int q) const
+void WallFlexibility::slope(const unsigned int strip, const double angle, double *value) const
 {
-  const Place  place = place_of(row_of(angle));
-  const float *row   = table_of(i / n_rings_) + std::size_t(place.row) * n_in_row() +
-                     std::size_t(i % n_rings_) * n_places_ + q;
-  return place.sign * (double(row[n_in_row()]) - row[0]) * n_turn_ / (2. * PI);
+  const Place        place = place_of(row_of(angle));
+  const unsigned int n     = n_in_row();
+  const float       *from  = table_of(strip) + std::size_t(place.row) * n;
+  for (unsigned int i = 0; i < n; ++i)
+    value[i] = place.sign * (double(from[n + i]) - from[i]) * n_turn_ / (2. * PI);
 }
 } // namespace chaindrive::contact

@@ -278,6 +278,7 @@ private:
       static constexpr unsigned int no_strip = static_cast<unsigned int>(-1);
       unsigned int                  of_strip = no_strip; ///< whose numbers of_columns has
       std::vector<double>           of_columns;          ///< [column][ring][place]
+      std::vector<double>           slopes; ///< room: [column that touches][ring][place]
     };
     std::array<Coupled, n_lanes> coupled;
 

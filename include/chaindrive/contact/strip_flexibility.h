@@ -131,9 +131,8 @@ public:
   unsigned int n_rings() const { return n_rings_; }
   unsigned int n_places() const { return n_places_; }
 
-  /// By how much more one of these rings moves for each radian, a strip and ring being numbered as
-  /// in StripFlexibility, at place @p q, m/N.
-  double slope(unsigned int i, double angle, unsigned int q) const;
+  /// By how much more at() is for each radian, m/N: [ring][place].
+  void slope(unsigned int strip, double angle, double *value) const;
 
 private:
   /// Where an angle is in the part of the table for one strip and ring: after a row, by a part of
