@@ -337,6 +337,9 @@ void World::serialize(const Archive &archive)
                                      std::make_pair("moment", &moment)})
     archive.numbers(name, vector->begin(), vector->locally_owned_size());
   archive.numbers("frames", frames);
+  // A settled start is found anew by a run that goes on, and differs by what round-off has become
+  // in it: on another number of ranks bodies would all be elsewhere.
+  archive.numbers("origins", origin);
   archive.numbers("rotations", rotations);
   archive.numbers("spins", spins);
   archive.numbers("hubs", hubs);

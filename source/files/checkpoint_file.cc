@@ -21,7 +21,7 @@ namespace chaindrive::files
 namespace
 {
 constexpr const char *magic          = "chaindrive checkpoint ";
-constexpr const char *format         = "10";
+constexpr const char *format         = "11";
 constexpr std::size_t size_of_number = 8;
 
 std::string bytes_of(const std::uint64_t number)

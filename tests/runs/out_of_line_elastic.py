@@ -163,13 +163,11 @@ def resume(fidelity):
     parts, _ = run("parts", entries, ("--resume", "auto"), says=f"Resumed from .* at {middle:g}")
     for history, values in whole.items():
         check(values.tobytes() == parts[history].tobytes(), f"{history} is not the same after going on")
-    # from the same state: a settled start lets round-off grow while bodies are strained for it
+    # from the same state, whatever has become of round-off in the settled start that two ranks found for themselves
     two, _ = run("two", entries, ("--resume", "auto"), ranks=2, says=f"Resumed from .* at {middle:g}")
-    # for a while: nodes that pass from one column of a bore to the next let round-off grow, and plates that begin to touch more so
-    early = np.abs(whole["time"] - 1e-3 * middle) < 0.021e-3
-    for history in ("spans/driven_to_driver_tension", "hubs/driver_side_force", "links/position_z"):
+    for history in ("spans/driven_to_driver_tension", "hubs/driver_side_force", "links/position_z", "joints/bush_pin_force"):
         check(two[history].shape == whole[history].shape, f"{history} on two ranks has another length")
-        below(f"{history} on two ranks", np.abs(two[history] - whole[history])[early].max() / np.abs(whole[history]).max(), 1e-6)
+        below(f"{history} on two ranks", np.abs(two[history] - whole[history]).max() / np.abs(whole[history]).max(), 1e-9)
     print(f"{len(whole)} histories are the same")
 
 
