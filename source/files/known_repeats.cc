@@ -11,7 +11,8 @@ namespace chaindrive::files
 namespace
 {
 constexpr std::size_t number_size = 4, farthest = (1 << 15) / number_size,
-                      longest = 256 / number_size; // in numbers
+                      longest = 256 / number_size, // in numbers
+    fewest_stored             = 32;
 
 /// Bits that are written together, the first one lowest.
 struct Bits
@@ -98,6 +99,21 @@ public:
     n_ %= 8;
   }
 
+  /// @p n bytes as stored blocks, none of them the last.
+  void store(const char *bytes, const std::size_t n)
+  {
+    constexpr std::size_t most = 65535;
+    for (std::size_t at = 0, length; at < n; at += length)
+      {
+        length = std::min(most, n - at);
+        add_bits(0, 3);
+        end();
+        add_bits(length | ((~length & most) << 16), 32);
+        std::memcpy(to_, bytes + at, length);
+        to_ += length;
+      }
+  }
+
   /// Where the stream ends, at a whole byte.
   char *end()
   {
@@ -112,6 +128,33 @@ private:
   unsigned int  n_    = 0;
 };
 
+/// Whether @p is holds for any of @p stretches with so many of the @p n numbers from @p first on.
+template <typename Is>
+bool any_of_range(const std::vector<Stretch> &stretches,
+                  const std::size_t           first,
+                  const std::size_t           n,
+                  const Is                   &is)
+{
+  std::size_t begin = 0;
+  for (const Stretch &stretch : stretches)
+    {
+      const std::size_t end = begin + stretch.n, from = std::max(begin, first),
+                        to = std::min(end, first + n);
+      if (from < to && is(stretch, to - from))
+        return true;
+      begin = end;
+    }
+  return false;
+}
+
+/// Whether any of the @p n numbers from @p first on may be stored.
+bool any_stored(const std::vector<Stretch> &stretches, const std::size_t first, const std::size_t n)
+{
+  return any_of_range(stretches, first, n, [](const Stretch &stretch, const std::size_t many) {
+    return !stretch.repeats() && many >= fewest_stored;
+  });
+}
+
 /// How many numbers from @p a on, up to @p most, are those from @p b on.
 std::size_t n_equal(const std::uint32_t *a, const std::uint32_t *b, const std::size_t most)
 {
@@ -121,6 +164,12 @@ std::size_t n_equal(const std::uint32_t *a, const std::uint32_t *b, const std::s
   return n;
 }
 } // namespace
+
+bool any_repeat(const std::vector<Stretch> &stretches, const std::size_t first, const std::size_t n)
+{
+  return any_of_range(
+      stretches, first, n, [](const Stretch &stretch, std::size_t) { return stretch.repeats(); });
+}
 
 void append_known_repeats(const void                 *values,
                           const std::size_t           first,
@@ -133,14 +182,18 @@ void append_known_repeats(const void                 *values,
   const auto *numbers = static_cast<const std::uint32_t *>(values) + first;
   // two bytes of zlib, nine bits at most for each byte, the checksum, and room to write ahead
   room.resize(std::max(room.size(), 2 + number_size * n * 9 / 8 + 4 + 2 * sizeof(std::uint64_t)));
-  char *begin = room.data();
-  begin[0]    = 0x78;
-  begin[1]    = 0x01;
-  BitStream stream(begin + 2);
-  stream.add_bits(3, 3); // the only block, by the fixed code
+  char *begin                          = room.data();
+  begin[0]                             = 0x78;
+  begin[1]                             = 0x01;
+  constexpr Bits         over          = fixed_code(256);
+  constexpr unsigned int by_fixed_code = 2, last = 1;
+  const bool             stores = any_stored(stretches, first, n);
+  BitStream              stream(begin + 2);
+  stream.add_bits(stores ? by_fixed_code : by_fixed_code | last, 3);
 
   std::size_t stretch = 0, end = 0; // of the stretch, from `first` on, as far as it lies there
   std::size_t passed = 0;           // numbers of all stretches so far
+  bool        plain  = false;       // whether it has no repeats
   std::array<std::size_t, 2> distance{};
   std::array<Bits, 2>        far{};
   const auto                 next_stretch = [&](const std::size_t at) {
@@ -150,11 +203,13 @@ void append_known_repeats(const void                 *values,
           {
             end      = n;
             distance = {};
+            plain    = false;
             return;
           }
         passed += stretches[stretch].n;
         end      = std::min(n, passed > first ? passed - first : 0);
         distance = stretches[stretch].distance;
+        plain    = !stretches[stretch].repeats();
         ++stretch;
         for (unsigned int d = 0; d < 2; ++d)
           if (distance[d] > farthest)
@@ -166,7 +221,17 @@ void append_known_repeats(const void                 *values,
   for (std::size_t i = 0; i < n;)
     {
       if (i >= end)
-        next_stretch(i);
+        {
+          next_stretch(i);
+          if (plain && end - i >= fewest_stored)
+            {
+              stream.add_bits(over.bits, over.n);
+              stream.store(reinterpret_cast<const char *>(numbers + i), number_size * (end - i));
+              stream.add_bits(by_fixed_code, 3);
+              i = end;
+              continue;
+            }
+        }
       std::size_t       repeated = 0;
       unsigned int      of       = 0;
       const std::size_t most     = std::min(longest, n - i);
@@ -197,8 +262,12 @@ void append_known_repeats(const void                 *values,
         }
       stream.add_bits(bits, size);
     }
-  const Bits over = fixed_code(256);
   stream.add_bits(over.bits, over.n);
+  if (stores) // an empty block is the last one
+    {
+      stream.add_bits(by_fixed_code | last, 3);
+      stream.add_bits(over.bits, over.n);
+    }
   char               *checksum = stream.end();
   const std::uint32_t adler    = libdeflate_adler32(1, numbers, number_size * n);
   for (unsigned int byte = 0; byte < 4; ++byte)

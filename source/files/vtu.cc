@@ -36,15 +36,18 @@ public:
                       "\"/>\n";
     const char       *bytes = reinterpret_cast<const char *>(values.data());
     const std::size_t size  = values.size() * sizeof(Number);
-    if (!stretches.empty())
-      pack_known(bytes, size, stretches);
-    else if (std::is_floating_point_v<Number>)
-      binary_ += pack(bytes, size);
+    if (std::is_floating_point_v<Number>)
+      append(bytes, size, stretches);
     else
       {
         VtuPacked::Array &known = before_.arrays[name];
         if (known.packed.empty() || known.plain.compare(0, std::string::npos, bytes, size) != 0)
-          known = {std::string(bytes, size), pack(bytes, size)};
+          {
+            const std::size_t begin = binary_.size();
+            append(bytes, size, {});
+            known = {std::string(bytes, size), binary_.substr(begin)};
+            return xml;
+          }
         binary_ += known.packed;
       }
     return xml;
@@ -62,8 +65,9 @@ private:
     return header;
   }
 
-  /// Header and blocks, to the end of what there is.
-  void pack_known(const char *bytes, const std::size_t size, const std::vector<Stretch> &stretches)
+  /// Header and compressed blocks, to the end of what there is: by their repeats where a block has
+  /// numbers of @p stretches that do.
+  void append(const char *bytes, const std::size_t size, const std::vector<Stretch> &stretches)
   {
     constexpr std::size_t      word     = 4;
     std::vector<std::uint64_t> header   = header_of(size);
@@ -72,33 +76,25 @@ private:
     binary_.resize(begin + header_size);
     for (std::size_t b = 0; b < n_blocks; ++b)
       {
-        const std::size_t before = binary_.size(), length = std::min(block, size - b * block);
-        append_known_repeats(
-            bytes, b * block / word, length / word, stretches, before_.room, binary_);
+        const std::size_t before = binary_.size(), first = b * block,
+                          length = std::min(block, size - first);
+        if (any_repeat(stretches, first / word, length / word))
+          append_known_repeats(
+              bytes, first / word, length / word, stretches, before_.room, binary_);
+        else
+          append_block(bytes + first, length);
         header[3 + b] = binary_.size() - before;
       }
     std::memcpy(&binary_[begin], header.data(), header_size);
   }
 
-  /// Header and compressed blocks.
-  std::string pack(const char *bytes, const std::size_t size) const
+  void append_block(const char *bytes, const std::size_t length)
   {
-    std::vector<std::uint64_t> header      = header_of(size);
-    const std::size_t          n_blocks    = header[0];
-    const std::size_t          header_size = header.size() * sizeof(std::uint64_t);
-    std::string                packed(header_size, '\0');
-    for (std::size_t b = 0; b < n_blocks; ++b)
-      {
-        const char            *begin  = bytes + b * block;
-        const std::size_t      length = std::min(block, size - b * block), end = packed.size();
-        libdeflate_compressor *compressor = pays(begin, length) ? compressor_.get() : stores_.get();
-        const std::size_t      room       = libdeflate_zlib_compress_bound(compressor, length);
-        packed.resize(end + room);
-        header[3 + b] = libdeflate_zlib_compress(compressor, begin, length, &packed[end], room);
-        packed.resize(end + header[3 + b]);
-      }
-    std::memcpy(&packed[0], header.data(), header_size);
-    return packed;
+    libdeflate_compressor *compressor = pays(bytes, length) ? compressor_.get() : stores_.get();
+    const std::size_t      end        = binary_.size();
+    const std::size_t      room       = libdeflate_zlib_compress_bound(compressor, length);
+    binary_.resize(end + room);
+    binary_.resize(end + libdeflate_zlib_compress(compressor, bytes, length, &binary_[end], room));
   }
 
   /// Whether a block shrinks by more than a third, as pieces of it tell. Digits of what is
@@ -142,33 +138,51 @@ private:
 };
 
 /// Of @p n items, of which most have the @p components numbers that the one before has.
-std::vector<Stretch> as_before(const unsigned int components, const std::size_t n)
+Stretch as_before(const unsigned int components, const std::size_t n)
 {
-  return {{components * n, {{components, 0}}}};
+  return {components * n, {{components, 0}}};
 }
 
-/// Of an array of @p components numbers at each point of rigid bodies; none without these.
+/// Appends @p n numbers of a body that deforms.
+void add_deformed(std::vector<Stretch> &stretches, const std::size_t n)
+{
+  if (stretches.empty() || stretches.back().repeats())
+    stretches.push_back({0, {}});
+  stretches.back().n += n;
+}
+
+/// Of an array of @p components numbers at each point of the bodies of @p grid.
 std::vector<Stretch> at_points(const VtuGrid &grid, const unsigned int components)
 {
   std::vector<Stretch> stretches;
-  for (const VtuGrid::RigidBody &body : grid.rigid_bodies)
-    stretches.push_back({components * body.n_points, {{components, components * body.period}}});
+  for (const VtuGrid::Body &body : grid.bodies)
+    if (body.deforms)
+      add_deformed(stretches, components * body.n_points);
+    else
+      stretches.push_back({components * body.n_points, {{components, components * body.period}}});
   return stretches;
 }
 
 std::vector<Stretch> at_points(const VtuGrid &grid, const VtuGrid::FloatData &data)
 {
-  return data.repeats ? as_before(data.components, data.values.size() / data.components) :
-                        at_points(grid, data.components);
+  if (data.repeats)
+    return {as_before(data.components, data.values.size() / data.components)};
+  return at_points(grid, data.components);
 }
 
 /// Those of rigid bodies have one number for all of a body or gap.
 std::vector<Stretch>
 in_cells(const VtuGrid &grid, const VtuGrid::FloatData &data, const std::size_t n_cells)
 {
-  if (grid.rigid_bodies.empty() && !data.repeats)
-    return {};
-  return as_before(data.components, n_cells);
+  if (data.repeats)
+    return {as_before(data.components, n_cells)};
+  std::vector<Stretch> stretches;
+  for (const VtuGrid::Body &body : grid.bodies)
+    if (body.deforms)
+      add_deformed(stretches, data.components * body.n_cells);
+    else
+      stretches.push_back(as_before(data.components, body.n_cells));
+  return stretches;
 }
 } // namespace
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace chaindrive::observe
 {
@@ -62,10 +63,22 @@ void append(std::vector<float> &values, const dealii::SymmetricTensor<2, 3> &t)
     values.push_back(static_cast<float>(value));
 }
 
+std::size_t n_cells_of(const std::vector<BodySnapshot> &bodies)
+{
+  return std::accumulate(
+      bodies.begin(), bodies.end(), std::size_t(0), [](const std::size_t n, const BodySnapshot &b) {
+        return n + b.part->cells.size();
+      });
+}
+
 /// Of every cell of all bodies.
 std::vector<files::VtuGrid::FloatData> stresses_of(const std::vector<BodySnapshot> &bodies)
 {
   std::vector<float> von_mises, strain, stress;
+  const std::size_t  n_cells = n_cells_of(bodies);
+  von_mises.reserve(n_cells);
+  strain.reserve(6 * n_cells);
+  stress.reserve(6 * n_cells);
   for (const BodySnapshot &body : bodies)
     {
       const std::size_t n = body.part->cells.size();
@@ -256,10 +269,11 @@ void Fields::set_up(const std::vector<BodySnapshot> &bodies)
       id.resize(n_cells, body.id);
       kind.resize(n_cells, body.kind);
       deforms.resize(n_cells, body.displacement.size() > 0 ? 1 : 0);
-      grid_.rigid_bodies.push_back({body.part->vertices.size(), body.part->period});
+      grid_.bodies.push_back({body.part->vertices.size(),
+                              body.part->cells.size(),
+                              body.part->period,
+                              body.displacement.size() > 0});
     }
-  if (std::any_of(drawn_.begin(), drawn_.end(), [](const Drawn &body) { return body.elastic; }))
-    grid_.rigid_bodies.clear();
   grid_.cell_numbers = {
       {"body", std::move(id)}, {"kind", std::move(kind)}, {"elastic", std::move(deforms)}};
   grid_.points.resize(3 * n_points);

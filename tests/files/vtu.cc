@@ -3,7 +3,7 @@
 // cannot be compressed are stored, others shrink, and of a second picture the numbers count that it
 // has, not those of the first. Points of rigid bodies in columns along z shrink to what differs,
 // whatever their bytes are and wherever blocks and bodies end, and nothing is lost where periods
-// are wrong or too long for the format.
+// are wrong or too long for the format. Beside them bodies that deform are stored.
 #include <chaindrive/files/vtu.h>
 
 #include <cstring>
@@ -77,7 +77,7 @@ void write_rigid_bodies()
           for (const float plane : z)
             grid.points.insert(grid.points.end(), {x, y, plane});
         }
-      grid.rigid_bodies.push_back({n_points, period});
+      grid.bodies.push_back({n_points, n_points, period});
     }
   const std::size_t n = grid.points.size() / 3;
   grid.connectivity.resize(8 * n);
@@ -106,6 +106,56 @@ void write_rigid_bodies()
   look("still", grid.point_data[0].values);
   look("load", grid.cell_data[0].values);
   look("noise", grid.cell_data[1].values);
+}
+
+/// Bodies that deform, of random bits, between rigid ones of which all is zero: blocks begin and
+/// end in any of them. What deforms is stored, what is rigid vanishes.
+void write_bodies_of_both_kinds()
+{
+  files::VtuGrid     grid;
+  std::vector<float> stress;
+  std::mt19937       random(3);
+  const auto add = [&random](std::vector<float> &to, const std::size_t n, const bool deforms) {
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const std::uint32_t bits   = deforms ? static_cast<std::uint32_t>(random()) : 0;
+        float               number = 0.F;
+        std::memcpy(&number, &bits, sizeof(number));
+        to.push_back(number);
+      }
+  };
+  for (const auto &[n_points, deforms] : {std::make_pair(std::size_t(50000), false),
+                                          std::make_pair(std::size_t(100001), true),
+                                          std::make_pair(std::size_t(7), false),
+                                          std::make_pair(std::size_t(3), true),
+                                          std::make_pair(std::size_t(40000), true),
+                                          std::make_pair(std::size_t(9), false),
+                                          std::make_pair(std::size_t(4), true),
+                                          std::make_pair(std::size_t(50000), false)})
+    {
+      grid.bodies.push_back({n_points, n_points - 1, 0, deforms});
+      add(grid.points, 3 * n_points, deforms);
+      add(stress, 6 * (n_points - 1), deforms);
+    }
+  grid.connectivity.resize(8 * stress.size() / 6);
+  grid.cell_data = {{"stress", 6, stress}};
+
+  files::VtuPacked   before;
+  std::ostringstream out;
+  files::write_vtu(out, grid, 0.5, before);
+  std::cout << "bodies of both kinds" << std::endl;
+  for (const auto &[name, values] :
+       {std::make_pair("position", &grid.points), std::make_pair("stress", &stress)})
+    {
+      std::size_t size = 0;
+      const auto  read = read_array<float>(out.str(), name, size);
+      std::cout << name << ": "
+                << (read.size() == values->size() &&
+                            std::memcmp(read.data(), values->data(), size_of(*values)) == 0 ?
+                        "the same" :
+                        "others")
+                << ", " << 100 * size / size_of(*values) << " %" << std::endl;
+    }
 }
 
 int main()
@@ -158,4 +208,5 @@ int main()
       look("body", grid.cell_numbers[0].values);
     }
   write_rigid_bodies();
+  write_bodies_of_both_kinds();
 }

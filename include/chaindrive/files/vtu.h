@@ -34,12 +34,12 @@ struct VtuGrid
     std::vector<std::int32_t> values;
   };
 
-  /// A body that moves without deforming.
-  struct RigidBody
+  struct Body
   {
-    std::size_t n_points;
+    std::size_t n_points, n_cells;
     std::size_t
-        period; ///< points, besides one, after which coordinates are often the same; 0: none
+         period; ///< points, besides one, after which coordinates are often the same; 0: none
+    bool deforms = false; ///< otherwise its cells have the same numbers, or a few different ones
   };
 
   Cell                      cell = Cell::hexahedron;
@@ -49,8 +49,8 @@ struct VtuGrid
   std::vector<FloatData>    cell_data;
   std::vector<IntegerData>  cell_numbers;
 
-  /// The bodies whose points these are, in their order, if all are rigid: makes files faster.
-  std::vector<RigidBody> rigid_bodies;
+  /// The bodies whose points and cells these are, in their order, or none: makes files faster.
+  std::vector<Body> bodies;
 };
 
 /// What one output of a series leaves for the next.
@@ -71,7 +71,7 @@ struct VtuPacked
 
 /// Writes @p grid at @p time [s], compressed quickly rather than well; what hardly shrinks is
 /// stored as it is, and of rigid bodies and of fields that repeat, repeats are looked for where
-/// they are (known_repeats.h).
+/// they are (known_repeats.h); what deforms is stored in blocks that have parts of both.
 /// @p before is used and brought up to date.
 ///
 /// deal.II's own writer gives every cell its own copy of its vertices and stores cell data at these
