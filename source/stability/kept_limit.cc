@@ -87,6 +87,8 @@ void add_window(Numbers &numbers, const ClosedWindow &window)
               window.across_middle,
               window.mobility,
               window.strips.size());
+  if (window.rim_frequency > 0.)
+    numbers.add(window.rim_mobility, window.rim_frequency);
   add_joint(numbers, window.joint);
   for (const contact::ClosedStrips &strips : window.strips)
     {

@@ -51,6 +51,8 @@ struct ClosedWindow
   /// Of the rigid body that strips meet, 1/kg: acceleration per newton at its teeth, times their
   /// number.
   double mobility = 0.;
+  /// The same of a rim with inertia, in which it has modes up to a highest frequency, rad/s.
+  double rim_mobility = 0., rim_frequency = 0.;
 };
 
 /// What families of contact without penalty are besides.
