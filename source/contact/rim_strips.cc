@@ -58,4 +58,30 @@ void RollerStrips::push(const unsigned int strip, const dealii::Tensor<1, 2> &fo
   on_teeth_[place.first] += (1. - place.part) * force;
   on_teeth_[place.first + 1] += place.part * force;
 }
+
+void RollerStrips::add_rim(const std::vector<unsigned int> &unknowns, ClosedStrips &closed) const
+{
+  const std::size_t n = 2 * std::size_t(rim_->n_points());
+  for (unsigned int m = 0; m < rim_->n_modes(); ++m)
+    for (const unsigned int unknown : unknowns)
+      {
+        const unsigned int                strip = unknown / flexibility_->n_rings();
+        const reduction::RimModes::Place &place = on_rim_[strip];
+        const ToothStrips::Strip         &along = profile_.strips()[strip];
+        dealii::Tensor<1, 2>              t     = along.ends[1] - along.ends[0];
+        t /= t.norm();
+        const double into[2] = {-t[1], t[0]};
+        double       cosine = 0., sine = 0.;
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            const std::size_t at = m * n + 2 * std::size_t(place.first) + d;
+            cosine += into[d] *
+                      ((1. - place.part) * rim_->cosine[at] + place.part * rim_->cosine[at + 2]);
+            sine +=
+                into[d] * ((1. - place.part) * rim_->sine[at] + place.part * rim_->sine[at + 2]);
+          }
+        closed.rim_cosine.push_back(cosine);
+        closed.rim_sine.push_back(sine);
+      }
+}
 } // namespace chaindrive::contact

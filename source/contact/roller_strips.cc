@@ -201,6 +201,8 @@ ClosedStrips RollerStrips::close(const std::vector<double> &middles,
         closed.flexibility.push_back(flexibility_->at(unknown[a], b));
       wall.at(unknown[a], -closed.places[a].angle, 2. * PI / n, n, &closed.through[a * n_bore]);
     }
+  if (rim_)
+    add_rim(unknown, closed);
   return closed;
 }
 
@@ -213,11 +215,7 @@ std::vector<ClosedWindow> RollerStrips::closed_windows() const
   window.n_rings       = flexibility_->n_rings();
   window.across_middle = law_.friction > 0. ? friction_.tangential_stiffness : 0.;
   window.mobility      = mobility_;
-  if (rim_)
-    {
-      window.rim_mobility  = rim_->mobility;
-      window.rim_frequency = rim_->highest_frequency();
-    }
+  window.rim           = rim_.get();
   window.n_rings_of_through =
       static_cast<unsigned int>(outside_.to_bore.size() / outside_.node.size());
 

@@ -78,7 +78,6 @@ RimModes rim_from_json(const nlohmann::json &json)
   modes.waves  = json.at("waves").get<std::vector<unsigned int>>();
   modes.cosine = rim_from_base64(json.at("cosine"));
   modes.sine   = rim_from_base64(json.at("sine"));
-  modes.find_mobility();
   return modes;
 }
 

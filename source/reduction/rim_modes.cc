@@ -408,32 +408,6 @@ double RimModes::compliance(const std::vector<double> &forces) const
   return sum;
 }
 
-void RimModes::find_mobility()
-{
-  using Complex = std::complex<double>;
-  mobility      = 0.;
-  for (unsigned int p = 0; p < n_points(); ++p)
-    for (unsigned int k = 0; 2 * k <= teeth; ++k)
-      {
-        // sum over the modes of u u*, which each pair of modes has twice
-        const bool real = k == 0 || 2 * k == teeth;
-        double     xx = 0., yy = 0.;
-        Complex    xy = 0.;
-        for (unsigned int m = 0; m < n_modes(); ++m)
-          if (waves[m] == k)
-            {
-              const std::size_t at = 2 * (std::size_t(m) * n_points() + p);
-              const Complex     x(cosine[at], sine[at]), y(cosine[at + 1], sine[at + 1]);
-              xx += std::norm(x);
-              yy += std::norm(y);
-              xy += x * std::conj(y);
-            }
-        const double largest =
-            0.5 * (xx + yy) + std::sqrt(0.25 * (xx - yy) * (xx - yy) + std::norm(xy));
-        mobility = std::max(mobility, (real ? 1. : 0.25) * teeth * largest);
-      }
-}
-
 RimModes make_rim_modes(const drive::ToothForm         &form,
                         const mesh::SprocketDimensions &dimensions,
                         const Material                 &material,
@@ -446,7 +420,6 @@ RimModes make_rim_modes(const drive::ToothForm         &form,
   modes.along = sector.along();
   for (unsigned int waves = 0; 2 * waves <= form.teeth; ++waves)
     sector.add_modes(waves, modes_up_to, modes);
-  modes.find_mobility();
   return modes;
 }
 } // namespace chaindrive::reduction

@@ -137,7 +137,7 @@ void HeldBody::add_way(const std::vector<Closed> &closed)
   const Hold &hold = ways_.back().back();
   for (const Closed &window : closed)
     of_others_.update_largest(
-        {hold.stiffness * (window.window->mobility + window.window->rim_mobility),
-         window.window->rim_frequency});
+        {hold.stiffness * window.window->mobility + hold.of_rim,
+         window.window->rim != nullptr ? window.window->rim->highest_frequency() : 0.});
 }
 } // namespace chaindrive::stability

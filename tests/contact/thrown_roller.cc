@@ -63,6 +63,7 @@ struct Throw
   double           inert          = 0.;        ///< share of a spring that has a mass
   double           inert_at       = 30. * kHz; ///< the frequency of that mass alone, rad/s
   double           share_of_limit = 0.4;       ///< is the step of finite elements
+  double           longest_step   = 5e-8;      ///< of others, s
   double           speed          = 2.5;       ///< towards the tooth, m/s
   double           duration       = 60e-6;     ///< s
 };
@@ -323,7 +324,7 @@ Impact thrown(const Throw &c, const std::string &what)
   const World     &world = system.world;
   const auto       teeth = system.contacts.find({scene::Interface::roller_teeth, 1u}).front();
   Impact           impact;
-  impact.step = std::min(c.share_of_limit * limit, 5e-8);
+  impact.step = std::min(c.share_of_limit * limit, c.longest_step);
   advance(system, std::lround(c.duration / impact.step), impact.step, [&]() {
     impact.force.push_back(teeth->records()[0].force.norm());
     impact.imbalance = std::max(impact.imbalance, std::abs(world.ledger.imbalance()));
@@ -377,6 +378,19 @@ void check_alone()
 /// Rims of elements and those that have modes with inertia.
 void check_rims()
 {
+  Throw fast;
+  fast.exact             = true;
+  fast.slowed            = true;
+  fast.place             = Place::seat;
+  fast.teeth             = Teeth::softer_above;
+  fast.rim_up_to         = 90. * kHz;
+  fast.speed             = 5.;
+  fast.duration          = 400e-6;
+  fast.longest_step      = 1.;
+  fast.share_of_limit    = 1.;
+  const Impact at_limit  = thrown(fast, "rim with inertia, 5 m/s, step of the limit");
+  fast.share_of_limit    = 1.6;
+  const Impact beyond_it = thrown(fast, "rim with inertia, 5 m/s, 1.6 of the limit");
   std::cout << "rims with inertia, without penalty, as of elements: means over 10 and 20 us\n";
   for (const double hub : {0., 58e-3})
     for (const Place place : {Place::seat, Place::bottom, Place::flank})
@@ -401,6 +415,9 @@ void check_rims()
         if (place != Place::bottom)
           verdict("    and without inertia not", apart(at_once, real, {10., 20.}) > tolerance);
       }
+  verdict("  with a step at its limit energy to 3 %", at_limit.imbalance < 0.03);
+  verdict("  1.6 times as long 20 times as far off",
+          beyond_it.imbalance > 20. * at_limit.imbalance);
 }
 
 void check_with_link(const Place place)

@@ -217,6 +217,9 @@ private:
                      const WallFlexibility     &wall,
                      unsigned int               n_bore_rings) const;
 
+  /// Adds what modes of the rim move these @p unknowns by, numbered as in StripFlexibility.
+  void add_rim(const std::vector<unsigned int> &unknowns, ClosedStrips &closed) const;
+
   /// Where the numbers of the roller of pair @p i begin in its batch.
   std::size_t first_number(const World &world, unsigned int i) const;
 

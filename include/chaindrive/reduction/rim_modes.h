@@ -27,7 +27,6 @@ struct RimModes
   std::vector<double>       cosine; ///< c: [mode][point][x and y in the frame of the gap],
                                     ///< 1/sqrt(kg)
   std::vector<double> sine;         ///< s, likewise
-  double              mobility = 0.; ///< see find_mobility(), 1/kg
 
   unsigned int n_modes() const { return static_cast<unsigned int>(omega.size()); }
   unsigned int n_points() const { return static_cast<unsigned int>(along.size()); }
@@ -44,11 +43,6 @@ struct RimModes
   /// What forces [point][x, y] on one gap displace these points by along themselves, J per N2 of
   /// their unit, twice the energy of the modes.
   double compliance(const std::vector<double> &forces) const;
-
-  /// Sets #mobility: the largest acceleration of any point of the profile along a force of one
-  /// newton on the same point of each tooth gap, whose sizes and directions may differ: for all of
-  /// them together it is that of the worst number of waves.
-  void find_mobility();
 };
 
 /// The modes up to @p modes_up_to [rad/s] of a rim without its rigid zone, by bilinear
