@@ -6,6 +6,7 @@
 #include <chaindrive/model/decide.h>
 #include <chaindrive/observe/elastic_bodies.h>
 #include <chaindrive/reduction/kept_basis.h>
+#include <chaindrive/reduction/kept_rim_modes.h>
 #include <chaindrive/scene/build.h>
 #include <chaindrive/simulated_life.h>
 #include <chaindrive/simulation.h>
@@ -113,6 +114,34 @@ part_bases(const Parameters &parameters, const MPI_Comm comm, const Announce &an
   };
 }
 
+/// scene::build_scene(), with the modes of rims that have inertia. Collective over @p comm.
+scene::Scene build_scene(const model::Model             &model,
+                         const drive::Drive             &drive,
+                         const std::vector<std::string> &folders,
+                         const scene::BasisOf           &basis_of,
+                         const MPI_Comm                  comm,
+                         const Announce                 &announce = {})
+{
+  scene::Scene   scene = scene::build_scene(model, drive, folders, basis_of);
+  statics::Cache cache(statics::Cache::usual_folder());
+  for (scene::ToothFamily &teeth : scene.teeth)
+    if (const std::optional<scene::InertRim> &rim = teeth.inert_rim; rim && !teeth.rim_modes)
+      {
+        teeth.rim_modes = std::make_shared<const reduction::RimModes>(
+            reduction::kept_rim_modes(*teeth.form,
+                                      {rim->bore, rim->hub_diameter, rim->width},
+                                      scene.material,
+                                      rim->modes_up_to,
+                                      cache,
+                                      comm,
+                                      announce));
+        for (scene::ToothFamily &other : scene.teeth)
+          if (other.sprocket == teeth.sprocket)
+            other.rim_modes = teeth.rim_modes;
+      }
+  return scene;
+}
+
 /// The drive of @p parameters and the model of it. For a settled start elastic bodies are placed as
 /// it suits their own joints, whose forces are found by straining them.
 std::pair<drive::Drive, model::Model> decide(const Parameters               &parameters,
@@ -140,7 +169,7 @@ std::pair<drive::Drive, model::Model> decide(const Parameters               &par
       if (announce)
         announce("Straining the elastic bodies for a settled start, round " +
                  std::to_string(i + 1) + " of at most 6 ...");
-      const scene::Scene   scene = scene::build_scene(model, drive, folders, basis_of);
+      const scene::Scene   scene = build_scene(model, drive, folders, basis_of, comm, announce);
       dynamics::Relaxation relaxation(scene, comm, 2e-3, critical_time_step);
       const auto           forces = relaxation.joint_forces();
       critical_time_step          = relaxation.critical_time_step();
@@ -178,7 +207,7 @@ scene::Scene make_scene(const model::Model             &model,
                         const scene::BasisOf           &basis_of,
                         const MPI_Comm                  comm)
 {
-  scene::Scene scene = scene::build_scene(model, drive, folders, basis_of);
+  scene::Scene scene = build_scene(model, drive, folders, basis_of, comm);
   if (model.output.asks_for(parameters::QuantityGroup::plate_stress))
     observe::measure_waists(scene, comm);
   return scene;

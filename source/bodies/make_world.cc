@@ -7,6 +7,7 @@
 #include <chaindrive/bodies/reduced_bodies.h>
 #include <chaindrive/bodies/rigid_bodies.h>
 #include <chaindrive/bodies/rigid_surface_nodes.h>
+#include <chaindrive/bodies/teeth_in_motion.h>
 #include <chaindrive/bodies/tied_spins.h>
 #include <chaindrive/mesh/surface/surface_nodes.h>
 #include <chaindrive/scene/scene.h>
@@ -94,6 +95,15 @@ void add_reduced_bodies(const scene::Scene &scene, const Partition &partitioned,
     }
 }
 
+/// Gives the teeth of sprockets whose rims have inertia their motion.
+void add_teeth_in_motion(const scene::Scene &scene, World &world)
+{
+  for (const scene::ToothFamily &teeth : scene.teeth)
+    if (teeth.rim_modes && world.teeth_of(teeth.sprocket) == nullptr)
+      world.teeth.push_back(
+          &world.groups.add(std::make_unique<TeethInMotion>(teeth.sprocket, teeth.rim_modes)));
+}
+
 /// The sides of bodies whose nodes touch though they do not deform, by part and body.
 std::map<scene::PartOf, std::map<unsigned int, std::set<unsigned int>>>
 rigid_sides(const scene::Scene &scene)
@@ -156,6 +166,7 @@ World make_world(const scene::Scene &scene, const MPI_Comm comm)
   add_reduced_bodies(scene, partitioned, world);
   world.node_address = world.elastic_address;
   add_rigid_surface_nodes(scene, world);
+  add_teeth_in_motion(scene, world);
   return world;
 }
 } // namespace chaindrive

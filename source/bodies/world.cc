@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/teeth_in_motion.h>
 #include <chaindrive/bodies/world.h>
 #include <chaindrive/scene/scene.h>
 #include <chaindrive/utilities/message_tags.h>
@@ -174,6 +175,14 @@ const Rim *World::rim_of(const unsigned int body) const
   return nullptr;
 }
 
+TeethInMotion *World::teeth_of(const unsigned int body)
+{
+  for (TeethInMotion *of_body : teeth)
+    if (of_body->body() == body)
+      return of_body;
+  return nullptr;
+}
+
 void World::place_surfaces(const double earlier)
 {
   for (SurfaceGroup *group : groups.surface())
@@ -235,7 +244,7 @@ void World::sum_over_ranks(const std::initializer_list<Summands> others)
       numbers(vector->begin(), vector->locally_owned_size(), whole);
     if (planar != nullptr && planar->oval())
       numbers(planar->forces_on_ovals().data(), planar->forces_on_ovals().size(), 1.);
-    for (ModalGroup *group : groups.modal())
+    for (SharedGroup *group : groups.shared())
       for (const dealii::ArrayView<double> &forces : group->shared_forces(*this))
         numbers(forces.data(), forces.size(), 1.);
     for (const Summands &other : others)

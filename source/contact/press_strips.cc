@@ -79,13 +79,21 @@ RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
         const double of_modes = -force * unknown.turning, of_wall = problem.couple[a];
         pressed.couple -= of_modes;
         through_wall -= of_wall;
-        on_roller -=
+        const dealii::Tensor<1, 2> on_strip =
             force * strip.mean + (of_modes + of_wall) / strip.distance * turned(strip.direction);
+        on_roller -= on_strip;
+        if (rim_)
+          push(problem.unknown[a] / n_rings, on_strip);
         carry(strip, problem.unknown[a] % n_rings, force);
       }
   if (!(pressed.sum > 0.))
     return pressed;
   pressed.force = roller.frame.in_world(on_roller);
+  if (rim_)
+    {
+      world.teeth_of(hub)->add_forces(roller.touch.feature, on_teeth_);
+      on_teeth_.clear();
+    }
 
   const BodyBatches   &copies = world.copies[group_];
   const NodeView       at     = NodeView(copies.position);

@@ -69,6 +69,7 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
     , radius_(teeth.slaves.front().radius)
     , form_(teeth.form)
     , profile_(*teeth.form, radius_)
+    , rim_(teeth.rim_modes)
     , group_(world.elastic_address[teeth.slaves.front().body].group)
     , rollers_(teeth.slaves.size())
 {
@@ -79,14 +80,19 @@ RollerStrips::RollerStrips(const scene::Scene       &scene,
   const BodyBatches       &copies = world.copies[group_];
   const mesh::CylinderGrid grid(*copies.part, mesh::roller_outside);
   const CoveredRings       rings(grid, teeth.half_width);
-  flexibility_ = std::make_unique<const StripFlexibility>(
-      outside_,
-      profile_.grid(),
-      rings.number,
-      rings.length,
-      scene.material,
-      StripFlexibility::Tooth{
-          teeth.tooth_stiffness, teeth.loaded_half_angle, teeth.tooth_places, profile_.slopes()});
+  for (unsigned int s = 0; rim_ && s < profile_.grid().size(); ++s)
+    on_rim_.push_back(rim_->place_at(radius_ * profile_.grid().middle[s]));
+  flexibility_ =
+      std::make_unique<const StripFlexibility>(outside_,
+                                               profile_.grid(),
+                                               rings.number,
+                                               rings.length,
+                                               scene.material,
+                                               StripFlexibility::Tooth{teeth.tooth_stiffness,
+                                                                       teeth.loaded_half_angle,
+                                                                       teeth.tooth_places,
+                                                                       profile_.slopes(),
+                                                                       of_modes(teeth)});
 
   owner_ = std::move(owner);
   for (const scene::SlavePoint &slave : teeth.slaves)
@@ -202,6 +208,8 @@ ClosedStrips RollerStrips::close(const std::vector<double> &middles,
                     n_bore_rings,
                     &closed.through[a * n_bore + std::size_t(c) * n_bore_rings]);
     }
+  if (rim_)
+    add_rim(unknown, closed);
   return closed;
 }
 
@@ -214,6 +222,7 @@ std::vector<ClosedWindow> RollerStrips::closed_windows() const
   window.n_rings       = flexibility_->n_rings();
   window.across_middle = law_.friction > 0. ? friction_.tangential_stiffness : 0.;
   window.mobility      = mobility_;
+  window.rim           = rim_.get();
   window.n_rings_of_through =
       static_cast<unsigned int>(outside_.to_bore.size() / outside_.node.size());
 
@@ -291,15 +300,16 @@ double RollerStrips::find_displacements(const World &world, const unsigned int i
   return std::sqrt(largest);
 }
 
-void RollerStrips::find_near(const Roller &roller, const double reach)
+void RollerStrips::find_near(const Roller &roller, const double reach, const double displaced_by)
 {
   const std::vector<ToothStrips::Strip> &places = profile_.strips();
-  const dealii::Tensor<1, 2>             centre = roller.frame.centre;
   near_strips_.clear();
-  profile_.find_near(centre, radius_ + reach + strip_sagitta, near_numbers_);
+  profile_.find_near(
+      roller.frame.centre, radius_ + reach + strip_sagitta + displaced_by, near_numbers_);
   for (const unsigned int s : near_numbers_)
     {
-      NearStrip strip{s, -radius_, {}, not_laid};
+      NearStrip                  strip{s, -radius_, {}, not_laid};
+      const dealii::Tensor<1, 2> centre = roller.frame.centre - displaced(roller, s);
       for (const dealii::Tensor<1, 2> &point : places[s].gauss)
         {
           const dealii::Tensor<1, 2> to_point = point - centre;
@@ -316,8 +326,9 @@ void RollerStrips::lay(Roller &roller, NearStrip &near) const
 {
   if (near.laid != not_laid)
     return;
-  const GapFrame            &frame     = roller.frame;
-  const dealii::Tensor<1, 2> arm       = profile_.strips()[near.number].middle - frame.centre;
+  const GapFrame            &frame = roller.frame;
+  const dealii::Tensor<1, 2> arm =
+      profile_.strips()[near.number].middle - (frame.centre - displaced(roller, near.number));
   const double               distance  = arm.norm();
   const dealii::Tensor<1, 2> e         = arm / distance,
                              in_roller = e[0] * frame.in_roller[0] + e[1] * frame.in_roller[1];
@@ -409,7 +420,7 @@ void RollerStrips::list_unknowns(Roller &roller, const double by_modes, const do
   roller.unknowns.resize(n);
 }
 
-void RollerStrips::measure(const World &world, const unsigned int i)
+void RollerStrips::measure(World &world, const unsigned int i)
 {
   Roller &roller = rollers_[i];
   roller.problem.clear();
@@ -426,12 +437,16 @@ void RollerStrips::measure(const World &world, const unsigned int i)
   if (records_[i].gap > near_centre * radius_)
     return;
   roller.frame = frame_of_gap(world, i);
+  const double of_teeth =
+      rim_ ?
+          world.teeth_of(flanks_->body())->find_displacements(roller.touch.feature, roller.teeth) :
+          0.;
   // how near modes bring strips, between nodes a little nearer than these; and the deepest overlap
   const double by_modes = 1.25 * find_displacements(world, i),
-               overlap  = std::max(0., by_modes - records_[i].gap);
-  if (records_[i].gap > by_modes + margin)
+               overlap  = std::max(0., by_modes + of_teeth - records_[i].gap);
+  if (records_[i].gap > by_modes + of_teeth + margin)
     return;
-  find_near(roller, by_modes + margin + 2. * overlap);
+  find_near(roller, by_modes + margin + 2. * overlap, of_teeth);
   list_unknowns(roller, by_modes, overlap);
 }
 

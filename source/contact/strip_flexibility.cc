@@ -235,7 +235,7 @@ StripFlexibility::seat_of(const Tooth &tooth, const double length, const double 
   for (unsigned int i = 0; i < 3; ++i)
     {
       at[i]         = tooth.places.at(i).angle;
-      compliance[i] = rest(tooth.places[i].stiffness);
+      compliance[i] = std::max(0., rest(tooth.places[i].stiffness) - tooth.of_modes[i]);
     }
   const SeatMotion seat(at,
                         compliance,

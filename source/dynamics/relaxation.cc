@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chaindrive/bodies/teeth_in_motion.h>
 #include <chaindrive/dynamics/newmark.h>
 #include <chaindrive/dynamics/relaxation.h>
 #include <chaindrive/scene/scene.h>
@@ -214,13 +215,18 @@ public:
     if (!has_modal_)
       return 0.;
     constrain();
+    for (TeethInMotion *teeth : world_.teeth)
+      teeth->use_forces(dt);
     second_half(world_, {dt, world_.time, 0., 0., {}});
     for (ModalGroup *group : world_.groups.modal())
       slow_down(*group);
     double of_modes = 0.;
     for (const ModalGroup *group : world_.groups.modal())
       of_modes += group->modal_energy(world_);
-    return world_.kinetic_energy() + dealii::Utilities::MPI::sum(of_modes, world_.communicator());
+    double all = dealii::Utilities::MPI::sum(of_modes, world_.communicator());
+    for (const TeethInMotion *teeth : world_.teeth) // the same on all ranks
+      all += teeth->modal_energy();
+    return world_.kinetic_energy() + all;
   }
 
   void rest()
@@ -229,6 +235,8 @@ public:
       return;
     for (ModalGroup *group : world_.groups.modal())
       group->rest();
+    for (TeethInMotion *teeth : world_.teeth)
+      teeth->rest();
     world_.velocity = 0.;
     for (World::Rotation &rotation : world_.rotations)
       rotation.momentum = Vector3();
@@ -357,6 +365,8 @@ void Relaxation::strain(World &world) const
         if (copies.owns(copy) || copies.is_shared(copies.batch_of(copy)))
           group.rest_at(world, copy, from.amplitudes_of(balanced, copy));
     }
+  for (std::size_t i = 0; i < world.teeth.size(); ++i)
+    world.teeth[i]->rest_as(*balanced.teeth[i]);
   for (unsigned int b = 0; b < scene_.bodies.size(); ++b)
     if (scene_.bodies[b].motion == scene::Motion::reduced)
       {

@@ -108,8 +108,8 @@ System::System(const scene::Scene &scene, const bool search_every_step, const MP
 //                        reduced bodies: second kick of other shapes, and their energies    owners
 //   sum_over_ranks       forces, moments, energies, what ranks ask of each other, frames of
 //                        elastic bodies; with halves all of it doubled; forces on modes of
-//                        batches whose nodes several ranks touch                            message
-//   groups: advance_shared  those modes: second kick, and their energies                   all
+//                        batches whose nodes several ranks touch, and of teeth              message
+//   groups: advance_shared  those modes, and those of teeth: second kick, and energies      all
 //   Loads::add_work      load torque on the hub, work of both hubs                          all
 //
 // A step waits for other ranks at the three messages, or only at the last one if no nodes travel:
@@ -155,7 +155,7 @@ void System::evaluate(const Step &step)
   else
     world.sum_over_ranks({{contacts.lost_now(), true}});
   contacts.book_losses();
-  for (ModalGroup *group : world.groups.modal())
+  for (SharedGroup *group : world.groups.shared())
     group->advance_shared(world, step);
   loads.add_work(world);
 }

@@ -544,12 +544,12 @@ Effects decide_effects(const Parameters &p)
   for (const parameters::Sprocket &sprocket : p.drive.sprockets.list)
     rims.push_back(elastic_sprocket(p, sprocket, rollers.on));
   const Decision faces = plate_faces(p, links.on), pictures = fields(p),
-                 joints      = exact_joints(p, links.on, rollers.on),
-                 teeth       = exact_teeth(p, joints, faces.on),
-                 compliance  = tooth_compliance(p, rollers.on, rims);
-  const Decision out_of_line = misalignment(p), planar = planar_motion(p);
-  const double   friction = largest_friction(p, faces.on || out_of_line.on);
-
+                 joints     = exact_joints(p, links.on, rollers.on),
+                 teeth      = exact_teeth(p, joints, faces.on),
+                 compliance = tooth_compliance(p, rollers.on, rims),
+                 places = tooth_places(p, compliance, teeth), out_of_line = misalignment(p),
+                 planar          = planar_motion(p);
+  const double          friction = largest_friction(p, faces.on || out_of_line.on);
   std::vector<Decision> all{
       clearance(Effect::roller_bush_clearance, p, p.effects.roller_bush_clearance),
       clearance(Effect::bush_pin_clearance, p, p.effects.bush_pin_clearance),
@@ -577,7 +577,8 @@ Effects decide_effects(const Parameters &p)
   all.insert(all.end(), rims.begin(), rims.end());
   all.insert(all.end(),
              {compliance,
-              tooth_places(p, compliance, teeth),
+              places,
+              tooth_inertia(p, places),
               plate_bending(p, links.on),
               reduced_bodies(p, links.on, rollers.on),
               joints,

@@ -12,7 +12,8 @@ std::vector<std::string> refused_switches(const Parameters &p, const Effects &ef
        {std::tuple{Effect::planar_motion, p.effects.planar_motion, "Planar motion"},
         {Effect::oval_rollers, p.effects.oval_rollers, "Oval rollers"},
         {Effect::stiffness_curves, p.effects.stiffness_curves, "Stiffness curves"},
-        {Effect::tooth_places, p.effects.tooth_places, "Tooth compliance over place"}})
+        {Effect::tooth_places, p.effects.tooth_places, "Tooth compliance over place"},
+        {Effect::tooth_inertia, p.effects.tooth_inertia, "Tooth inertia"}})
     if (const Decision &decision = effects.of(effect);
         choice == parameters::Switch::on && !decision.on)
       sentences.push_back(std::string("Effects/") + entry +

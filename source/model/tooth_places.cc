@@ -24,4 +24,18 @@ Decision tooth_places(const Parameters &p, const Decision &compliance, const Dec
           p.effects.tooth_places == Switch::on ? "switched on in section Effects" :
                                                  "a tooth is softer the higher a roller bears"};
 }
+
+Decision tooth_inertia(const Parameters &p, const Decision &places)
+{
+  using parameters::Switch;
+  constexpr Effect effect = Effect::tooth_inertia;
+  if (!places.on)
+    return {effect, false, "it needs tooth compliance over place: " + places.reason};
+  if (p.effects.tooth_inertia != Switch::on)
+    return {effect,
+            false,
+            p.effects.tooth_inertia == Switch::off ? "switched off in section Effects" :
+                                                     "teeth deflect at once"};
+  return {effect, true, "switched on in section Effects"};
+}
 } // namespace chaindrive::model

@@ -78,6 +78,13 @@ void Effects::declare(Declarations &declarations, Sprockets &sprockets)
          "seat, at its end and between. auto: on with Contact/Tooth stiffness in N/m = auto and "
          "Model/Stiffness from = parts. off: they are as soft everywhere as at the end of the "
          "seat, where rollers of new chains bear.");
+  effect("Tooth inertia",
+         tooth_inertia,
+         "Where teeth are softer the higher a roller bears (Tooth compliance over place), the rim "
+         "of each sprocket from its hub diameter outwards has inertia: natural modes up to 90 kHz, "
+         "faster ones for chains of a pitch below 15.875 mm, with which teeth vibrate and waves of "
+         "impacts leave; what these modes do not deflect stays without inertia, so that teeth are "
+         "as stiff at rest as without. auto: off. on: what doc/accuracy-and-cost.md says of it.");
   effect(
       "Plate bending",
       plate_bending,

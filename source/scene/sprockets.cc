@@ -363,6 +363,21 @@ std::string without_inertia(const drive::Sprocket &sprocket, const double pitch)
          " of a pitch deep)";
 }
 
+/// Frequency up to which rims with inertia have modes, rad/s: faster ones change impacts by a
+/// percent (doc/accuracy-and-cost.md, a roller thrown at a tooth); in inverse proportion to the
+/// pitch [m] of small chains, as those of links and rollers.
+double highest_of_rims(const double pitch)
+{
+  return 2. * dealii::numbers::PI * 90e3 * std::max(1., 15.875e-3 / pitch);
+}
+
+/// What is said of a @p rim with inertia, as a phrase.
+std::string with_inertia(const InertRim &rim)
+{
+  return "; of that modes up to " +
+         to_text(1e-3 / (2. * dealii::numbers::PI) * rim.modes_up_to, 4) +
+         " kHz of the rim outside of its rigid zone have inertia";
+}
 } // namespace
 
 void make_compliant(ToothFamily    &teeth,
@@ -429,6 +444,12 @@ void add_sprockets(const model::Model             &model,
       ToothFamily flanks = make_flanks(model, drive, sprocket, number, part.get(), scene);
       if (model.effects.is_on(Effect::tooth_places))
         flanks.tooth_places = sprocket.tooth_places;
+      if (model.effects.is_on(Effect::tooth_inertia) && body.motion == Motion::rigid &&
+          !sprocket.form.flat)
+        flanks.inert_rim = {sprocket.bore,
+                            sprocket.hub_diameter,
+                            scene.symmetry().share(drive.sprocket_width),
+                            highest_of_rims(drive.chain.pitch)};
       if (sprocket.carries_plates())
         {
           for (ToothFamily &plates :
@@ -444,7 +465,8 @@ void add_sprockets(const model::Model             &model,
                               to_text(model.tooth_stiffness[i].value, 4) + " N/m (" +
                               (model.tooth_stiffness[i].given ? "given" : "auto") + ")" +
                               over_place(flanks.tooth_places) +
-                              without_inertia(sprocket, drive.chain.pitch));
+                              (flanks.inert_rim ? with_inertia(*flanks.inert_rim) :
+                                                  without_inertia(sprocket, drive.chain.pitch)));
       for (const Motion motion : {Motion::elastic, Motion::reduced})
         if (any_roller([motion](const Body &roller) { return roller.motion == motion; }))
           for (const mesh::Surface side : sides_on_teeth(drive.chain))

@@ -157,6 +157,45 @@ double through_wall(const Closed &outside, const ClosedPlace &strip, const InBor
   return sum;
 }
 
+/// Hold::of_rim of strips on the rim @p modes, which these rows are of: [mode][cosine, sine], and
+/// @p solved with the flexibility.
+double of_rim(const reduction::RimModes              &modes,
+              const std::vector<std::vector<double>> &rows,
+              const std::vector<std::vector<double>> &solved)
+{
+  const auto times = [&](const unsigned int i, const unsigned int j) {
+    double sum = 0.;
+    for (std::size_t a = 0; a < rows[i].size(); ++a)
+      sum += rows[i][a] * solved[j][a];
+    return sum;
+  };
+  double most = 0.;
+  for (unsigned int k = 0; 2 * k <= modes.teeth; ++k)
+    {
+      std::vector<unsigned int> with; // so many waves
+      for (unsigned int m = 0; m < modes.n_modes(); ++m)
+        if (modes.waves[m] == k)
+          with.push_back(m);
+      // Of the displacements c + i s in terms of the modes, a complex matrix: as a real one. Pairs
+      // of modes are there twice.
+      const auto   n    = static_cast<unsigned int>(with.size());
+      const bool   real = k == 0 || 2 * k == modes.teeth;
+      const double unit = (real ? 1. : 0.25) * modes.teeth;
+      Matrix       matrix(2 * n, 2 * n);
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            const unsigned int a = 2 * with[i], b = 2 * with[j];
+            matrix(i, j) = matrix(n + i, n + j) = unit * (times(a, b) + times(a + 1, b + 1));
+            matrix(n + i, j)                    = unit * (times(a, b + 1) - times(a + 1, b));
+            matrix(j, n + i)                    = matrix(n + i, j);
+          }
+      if (n > 0)
+        most = std::max(most, largest(matrix));
+    }
+  return most;
+}
+
 /// Adds the squares of @p rows times @p factor to a symmetric @p matrix.
 void add_square(const std::vector<double> &row, const double factor, Matrix &matrix)
 {
@@ -237,6 +276,35 @@ Hold held_by(const ModalGroup &bodies, const std::vector<Closed> &closed)
         hold.stiffness += std::cos(places[a].angle) * held(a, motions) +
                           std::sin(places[a].angle) * held(a, motions + 1);
     }
+  for (unsigned int i = 0; i < closed.size(); ++i)
+    if (const reduction::RimModes *rim = closed[i].window->rim;
+        rim != nullptr && closed[i].strips() != nullptr)
+      {
+        // flexibility has its factors now; other places do not move with the rim
+        const ClosedStrips              &strips = *closed[i].strips();
+        std::vector<std::vector<double>> of_modes;
+        dealii::LAPACKFullMatrix<double> solved(n, 2 * rim->n_modes());
+        for (unsigned int m = 0; m < rim->n_modes(); ++m)
+          for (const std::vector<double> *numbers : {&strips.rim_cosine, &strips.rim_sine})
+            {
+              of_modes.emplace_back(n, 0.);
+              for (unsigned int a = 0; a < n; ++a)
+                if (places[a].closed == i)
+                  of_modes.back()[a] =
+                      (*numbers)[std::size_t(m) * strips.places.size() + places[a].place];
+              for (unsigned int a = 0; a < n; ++a)
+                solved(a, of_modes.size() - 1) = of_modes.back()[a];
+            }
+        flexibility.solve(solved);
+        std::vector<std::vector<double>> held_modes;
+        for (unsigned int c = 0; c < of_modes.size(); ++c)
+          {
+            held_modes.emplace_back(n);
+            for (unsigned int a = 0; a < n; ++a)
+              held_modes.back()[a] = solved(a, c);
+          }
+        hold.of_rim = std::max(hold.of_rim, of_rim(*rim, of_modes, held_modes));
+      }
   in_strips.Tmmult(hold.matrix, in_strips, true);
   across.Tmmult(hold.across, across);
   for (const Closed &window : closed)

@@ -118,7 +118,7 @@ double HeldBody::step_from(std::vector<unsigned int> chosen)
           }
     }
   last_ = chosen;
-  return 2. / std::sqrt(4. / (best * best) + of_others_);
+  return of_others_.with(best);
 }
 
 double HeldBody::step_with(const std::vector<unsigned int> &chosen) const
@@ -136,6 +136,8 @@ void HeldBody::add_way(const std::vector<Closed> &closed)
   ways_.back().push_back(held_by(bodies_, closed));
   const Hold &hold = ways_.back().back();
   for (const Closed &window : closed)
-    of_others_ = std::max(of_others_, hold.stiffness * window.window->mobility);
+    of_others_.update_largest(
+        {hold.stiffness * window.window->mobility + hold.of_rim,
+         window.window->rim != nullptr ? window.window->rim->highest_frequency() : 0.});
 }
 } // namespace chaindrive::stability

@@ -64,7 +64,7 @@ void HeldLink::add(const HeldBody &ring, const ClosedWindow &bore, const ClosedW
   side.ways        = ring.fastest_ways(n_ring_ways);
   side.direction.n = n_directions;
   side.ring_way.n  = static_cast<unsigned int>(side.ways.size());
-  of_others_       = std::max(of_others_, ring.of_others());
+  of_others_.update_largest(ring.of_others());
   sides_.push_back(std::move(side));
 }
 
@@ -207,7 +207,7 @@ double HeldLink::near_critical_time_step()
 {
   step_from_here();
   const double step = step_of(matrix());
-  return 2. / std::sqrt(4. / (step * step) + of_others_);
+  return of_others_.with(step);
 }
 
 double HeldLink::critical_time_step()
@@ -232,6 +232,6 @@ double HeldLink::critical_time_step()
   start(from);
   step_from_here();
   const double step = step_among_neighbours(step_of(matrix()));
-  return 2. / std::sqrt(4. / (step * step) + of_others_);
+  return of_others_.with(step);
 }
 } // namespace chaindrive::stability

@@ -87,6 +87,12 @@ void add_window(Numbers &numbers, const ClosedWindow &window)
               window.across_middle,
               window.mobility,
               window.strips.size());
+  if (window.rim != nullptr)
+    {
+      numbers.add(window.rim->teeth, window.rim->omega, window.rim->waves);
+      for (const contact::ClosedStrips &strips : window.strips)
+        numbers.add(strips.rim_cosine, strips.rim_sine);
+    }
   add_joint(numbers, window.joint);
   for (const contact::ClosedStrips &strips : window.strips)
     {

@@ -152,7 +152,7 @@ double largest_eigenvalue(const std::size_t n, const Product &product)
   return found.first + found.second;
 }
 
-Eigenpairs eigenpairs(const dealii::FullMatrix<double> &matrix)
+Eigenpairs eigenpairs(const dealii::FullMatrix<double> &matrix, const double up_to)
 {
   using Integer                      = dealii::types::blas_int;
   const std::size_t                n = matrix.m();
@@ -164,7 +164,7 @@ Eigenpairs eigenpairs(const dealii::FullMatrix<double> &matrix)
   // vector of a cluster has not converged, however little it lacks
   const char           vectors = 'V', values = 'V', upper = 'U';
   const Integer        size = static_cast<Integer>(n), none = 1;
-  const double         from = -bound, tolerance = 0.;
+  const double         from = -bound, to = std::min(bound, up_to), tolerance = 0.;
   std::vector<double>  found(n), of_values(n * n), work(1);
   std::vector<Integer> integers(5 * n), failed(n);
   Integer              length = -1, n_found = 0, info = 0;
@@ -177,7 +177,7 @@ Eigenpairs eigenpairs(const dealii::FullMatrix<double> &matrix)
                     &lapack(0, 0),
                     &size,
                     &from,
-                    &bound,
+                    &to,
                     &none,
                     &none,
                     &tolerance,

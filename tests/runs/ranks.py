@@ -12,6 +12,7 @@ move as they do where it reads all of them at every step.
   arriving   elastic links among rigid ones
   reduced    all rollers and links reduced
   exact-joints  the same, and no penalty in their joints
+  inertia    the same, on rims with inertia
   mixed      halves of elastic links among reduced ones
   settled    halves of them, from a settled start
   settled-reduced  reduced bodies from a settled start
@@ -43,6 +44,7 @@ CASES = {
     "reduced": {"Model/Fidelity": "reduced", "Contact/Enforcement": "penalty"},
     "exact-joints": {"Model/Fidelity": "reduced", "Contact/Enforcement": "exact joints"},
     "exact": {"Model/Fidelity": "reduced"},
+    "inertia": {"Model/Fidelity": "reduced", "Effects/Tooth inertia": "on"},
     "mixed": {"Model/Elastic links": "region of interest", "Model/Other links": "reduced", "Model/Symmetry model": "true"},
     "settled-reduced": {"Model/Fidelity": "reduced", "Drive/Layout/Start": "settled", "Loads/Resisting torque in N m": 30},
     "settled": {

@@ -65,15 +65,16 @@ FULL = {
 
 MIXED = {"Effects/Elastic driver": "off", "Effects/Elastic driven": "off", "Effects/Elastic links": "off"}
 PENALTY = {"Contact/Enforcement": "penalty"}
-ELASTIC = ("full", "reduced", "mixed", "exact")
+INERTIA = {"Effects/Tooth inertia": "on"}
+ELASTIC = ("full", "reduced", "mixed", "exact", "inertia")
 
 
 def drive(fidelity, **more):
     """Entries of a small drive."""
     entries = dict(DRIVE)
     entries.update(FULL if fidelity in ELASTIC else RIGID)
-    entries["Model/Fidelity"] = {"mixed": "full", "exact": "reduced"}.get(fidelity, fidelity)
-    entries.update({"mixed": MIXED, "reduced": PENALTY}.get(fidelity, {}))
+    entries["Model/Fidelity"] = {"mixed": "full", "exact": "reduced", "inertia": "reduced"}.get(fidelity, fidelity)
+    entries.update({"mixed": MIXED, "reduced": PENALTY, "inertia": INERTIA}.get(fidelity, {}))
     entries.update(more)
     return entries
 

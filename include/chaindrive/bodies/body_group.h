@@ -28,7 +28,7 @@ struct Step
   };
   const Program *programs = nullptr; ///< of each of World::hubs; null: they go on as they move
 
-  /// Otherwise ElasticGroup::advance() and ModalGroup::advance_shared() complete the forces and
+  /// Otherwise ElasticGroup::advance() and SharedGroup::advance_shared() complete the forces and
   /// move nothing.
   bool moves = true;
 };
@@ -47,7 +47,8 @@ struct ForceTimer
 ///
 /// These are the calls that every group gets in a step; one that has nothing to do then leaves it.
 /// What only some groups can do is an interface of its own, which they implement besides:
-/// ForceGroup and SurfaceGroup below, ElasticGroup, NodalGroup and ModalGroup in elastic_group.h.
+/// ForceGroup and SurfaceGroup below, ElasticGroup, NodalGroup, ModalGroup and SharedGroup in
+/// elastic_group.h.
 /// BodyGroups lists the groups under each of them.
 class BodyGroup
 {

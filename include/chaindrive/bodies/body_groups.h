@@ -64,6 +64,7 @@ public:
     list<Group>(added, elastic_);
     list<Group>(added, nodal_);
     list<Group>(added, modal_);
+    list<Group>(added, shared_);
     all_.push_back(std::move(group));
     return added;
   }
@@ -80,6 +81,8 @@ public:
   const PointerList<NodalGroup>   &nodal() const { return nodal_; }
   PointerList<ModalGroup>         &modal() { return modal_; }
   const PointerList<ModalGroup>   &modal() const { return modal_; }
+  PointerList<SharedGroup>        &shared() { return shared_; }
+  const PointerList<SharedGroup>  &shared() const { return shared_; }
 
 private:
   template <typename Group, typename Interface>
@@ -95,5 +98,6 @@ private:
   PointerList<ElasticGroup> elastic_;
   PointerList<NodalGroup>   nodal_;
   PointerList<ModalGroup>   modal_;
+  PointerList<SharedGroup>  shared_;
 };
 } // namespace chaindrive

@@ -74,20 +74,28 @@ public:
   virtual double largest_frequency(const std::vector<double> &springs) const = 0;
 };
 
+/// Modes that all ranks move alike.
+class SharedGroup
+{
+public:
+  virtual ~SharedGroup() = default;
+
+  /// Forces on these modes: each rank adds its own until World::sum_over_ranks() makes them the
+  /// forces of all. The same numbers on each rank.
+  virtual std::vector<dealii::ArrayView<double>> shared_forces(const World &world) = 0;
+
+  /// Their second kick, when the sums are there. Energies are booked on each rank, those of whole
+  /// bodies.
+  virtual void advance_shared(World &world, const Step &step) = 0;
+};
+
 /// Elastic bodies that move as rigid ones do and by modes of unit mass besides,
-/// whose amplitudes q [m sqrt(kg)] and rates q' are their state.
-class ModalGroup : public ElasticGroup
+/// whose amplitudes q [m sqrt(kg)] and rates q' are their state. The modes of batches that several
+/// ranks touch are moved by all of them.
+class ModalGroup : public ElasticGroup, public SharedGroup
 {
 public:
   using ElasticGroup::ElasticGroup;
-
-  /// Forces on the modes of batches that all ranks move alike: each rank adds its own until
-  /// World::sum_over_ranks() makes them the forces of all. The same numbers on each rank.
-  virtual std::vector<dealii::ArrayView<double>> shared_forces(const World &world) = 0;
-
-  /// advance() of these batches, when the sums are there. Energies are booked on each rank, those
-  /// of whole bodies.
-  virtual void advance_shared(World &world, const Step &step) = 0;
 
   /// How many modes a body has beside its rigid motions.
   virtual unsigned int n_modes() const = 0;

@@ -20,6 +20,8 @@
 
 namespace chaindrive
 {
+class TeethInMotion;
+
 /// The state of all bodies, which make_world() makes. Translations live in deal.II's distributed
 /// vectors, three entries per body (x, y, z of the centre of mass); rotations in three short lists
 /// beside them, because a rigid body's rotation is no vector. `frames` repeats positions and
@@ -237,6 +239,9 @@ public:
   /// The rim of @p body; null when it has none.
   const Rim *rim_of(unsigned int body) const;
 
+  /// The teeth of @p body if they have inertia; else null.
+  TeethInMotion *teeth_of(unsigned int body);
+
   /// Kinetic energy [J] of all groups that have not booked theirs: of every rigid or lumped body
   /// but a prescribed hub, from the present velocities.
   double kinetic_energy() const;
@@ -268,6 +273,9 @@ public:
   NodeExchange             node_exchange; ///< between the ranks' copies
   std::vector<Address>     elastic_address; ///< per body, in copies
   std::vector<Rim>         rims;            ///< of elastic sprockets
+
+  /// Of rigid sprockets whose rims have inertia; they are among the groups.
+  PointerList<TeethInMotion> teeth;
 
   std::vector<Address>
       node_address; ///< per body, in copies: elastic_address, and those of rigid surface nodes

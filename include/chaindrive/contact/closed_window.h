@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/reduction/rim_modes.h>
+
 #include <deal.II/base/numbers.h>
 
 #include <array>
@@ -24,6 +26,9 @@ struct ClosedStrips
   /// Between the outside and a node of the bore, through the wall: [place][column][ring of
   /// the whole bore], m/N.
   std::vector<double> through;
+  /// What modes of a rim with inertia move a place by along its normal, by cosines and sines of
+  /// RimModes: [mode][place], 1/sqrt(kg).
+  std::vector<double> rim_cosine, rim_sine;
 };
 
 /// A round side of modal bodies in contact without penalty. Where a window of it is closed and what
@@ -51,6 +56,8 @@ struct ClosedWindow
   /// Of the rigid body that strips meet, 1/kg: acceleration per newton at its teeth, times their
   /// number.
   double mobility = 0.;
+  /// The modes of a rim with inertia on which these strips are; null: it has none.
+  const reduction::RimModes *rim = nullptr;
 };
 
 /// What families of contact without penalty are besides.

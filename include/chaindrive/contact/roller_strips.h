@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chaindrive/bodies/teeth_in_motion.h>
 #include <chaindrive/contact/closed_window.h>
 #include <chaindrive/contact/rigid_flanks.h>
 #include <chaindrive/contact/strip_problem.h>
@@ -34,6 +35,9 @@ namespace chaindrive::contact
 ///
 /// Friction is one elastic slip per roller, as in a joint, on the sum of its normal forces, by
 /// which it is shared out.
+///
+/// Where the rim has inertia (TeethInMotion) its modes displace the strips of each gap, whose
+/// normal forces act on these modes as well; friction meets teeth that turn with the sprocket.
 class RollerStrips : public SurfaceContact, public HasClosedWindows
 {
 public:
@@ -157,12 +161,13 @@ private:
     std::vector<Touching> touching; ///< what touched last, ascending
     Touch                 touch;    ///< of its centre
     GapFrame              frame;    ///< of that gap
+    TeethInMotion::Points teeth;    ///< by how much that is displaced; empty: no modes, m
   };
 
   void find_own(unsigned int rank);
 
   /// The strips of pair @p i and their gaps, if it is near enough.
-  void measure(const World &world, unsigned int i);
+  void measure(World &world, unsigned int i);
 
   /// The frame of the gap that the centre of pair @p i is nearest to.
   GapFrame frame_of_gap(const World &world, unsigned int i) const;
@@ -170,8 +175,18 @@ private:
   /// By how much modes and tilt move the outside of pair @p i, into displacement_; the most, m.
   double find_displacements(const World &world, unsigned int i);
 
-  /// The strips within a @p reach [m] of a round @p roller, into near_strips_.
-  void find_near(const Roller &roller, double reach);
+  /// What modes of the rim deflect at the places of @p teeth, as StripFlexibility::Tooth has it.
+  std::array<double, 3> of_modes(const scene::ToothFamily &teeth) const;
+
+  /// By how much modes of the rim have displaced a strip before a @p roller, m.
+  dealii::Tensor<1, 2> displaced(const Roller &roller, unsigned int strip) const;
+
+  /// The strips within a @p reach [m] of a round @p roller, into near_strips_. Modes of the rim
+  /// have displaced them by @p displaced [m] at most.
+  void find_near(const Roller &roller, double reach, double displaced);
+
+  /// Puts the @p force [N] in the frame of a gap on a strip of a rim with modes, into on_teeth_.
+  void push(unsigned int strip, const dealii::Tensor<1, 2> &force);
 
   /// Adds a strip to those of a @p roller, unless it is there.
   void lay(Roller &roller, NearStrip &near) const;
@@ -202,32 +217,38 @@ private:
                      const WallFlexibility     &wall,
                      unsigned int               n_bore_rings) const;
 
+  /// Adds what modes of the rim move these @p unknowns by, numbered as in StripFlexibility.
+  void add_rim(const std::vector<unsigned int> &unknowns, ClosedStrips &closed) const;
+
   /// Where the numbers of the roller of pair @p i begin in its batch.
   std::size_t first_number(const World &world, unsigned int i) const;
 
-  std::shared_ptr<const Surface>          flanks_;
-  const reduction::RoundFlexibility       outside_;
-  double                                  radius_; ///< m
-  std::shared_ptr<const drive::ToothForm> form_;
-  const ToothStrips                       profile_;
-  std::unique_ptr<const StripFlexibility> flexibility_;
-  unsigned int                            group_;         ///< of the rollers in World::copies
-  std::vector<unsigned int>               copy_, bodies_; ///< per pair
-  std::vector<unsigned int>               own_;           ///< those near that this rank evaluates
-  std::vector<unsigned int>               read_;          ///< those announced last
-  std::vector<Roller>                     rollers_;
-  std::vector<dealii::Tensor<1, 2>>       displacement_; ///< room, [column][ring], m
-  std::vector<unsigned int>               near_numbers_; ///< room, of strips
-  std::vector<NearStrip>                  near_strips_;  ///< room
-  std::vector<Candidate>                  candidates_;   ///< room
-  std::vector<Load>                       loads_;        ///< on the roller at hand
-  std::vector<unsigned int>               load_of_;      ///< [ring][column], numbers, or no_load
-  std::vector<unsigned int>               node_;         ///< of their outside, [ring][column]
-  std::vector<double>                     length_;       ///< that each of these rings stands for, m
-  std::vector<std::array<double, 2>>      extent_;       ///< from where to where along the axis, m
-  double                                  half_angle_;   ///< of the largest contact in a seat, rad
-  double                                  half_line_;    ///< and on a flank, rad
-  double                                  mobility_;     ///< as in ClosedWindow
-  scene::ContactLaw                       friction_;     ///< of a whole roller
+  std::shared_ptr<const Surface>             flanks_;
+  const reduction::RoundFlexibility          outside_;
+  double                                     radius_; ///< m
+  std::shared_ptr<const drive::ToothForm>    form_;
+  const ToothStrips                          profile_;
+  std::unique_ptr<const StripFlexibility>    flexibility_;
+  std::shared_ptr<const reduction::RimModes> rim_;           ///< null: it has no inertia
+  std::vector<reduction::RimModes::Place>    on_rim_;        ///< per strip
+  TeethInMotion::Points                      on_teeth_;      ///< room: forces on the profile, N
+  unsigned int                               group_;         ///< of the rollers in World::copies
+  std::vector<unsigned int>                  copy_, bodies_; ///< per pair
+  std::vector<unsigned int>                  own_;  ///< those near that this rank evaluates
+  std::vector<unsigned int>                  read_; ///< those announced last
+  std::vector<Roller>                        rollers_;
+  std::vector<dealii::Tensor<1, 2>>          displacement_; ///< room, [column][ring], m
+  std::vector<unsigned int>                  near_numbers_; ///< room, of strips
+  std::vector<NearStrip>                     near_strips_;  ///< room
+  std::vector<Candidate>                     candidates_;   ///< room
+  std::vector<Load>                          loads_;        ///< on the roller at hand
+  std::vector<unsigned int>                  load_of_;      ///< [ring][column], numbers, or no_load
+  std::vector<unsigned int>                  node_;         ///< of their outside, [ring][column]
+  std::vector<double>                        length_; ///< that each of these rings stands for, m
+  std::vector<std::array<double, 2>>         extent_; ///< from where to where along the axis, m
+  double                                     half_angle_; ///< of the largest contact in a seat, rad
+  double                                     half_line_;  ///< and on a flank, rad
+  double                                     mobility_;   ///< as in ClosedWindow
+  scene::ContactLaw                          friction_;   ///< of a whole roller
 };
 } // namespace chaindrive::contact

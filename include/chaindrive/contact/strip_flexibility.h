@@ -73,6 +73,9 @@ public:
     /// The same at the bottom of the seat and at two places above it, upwards; empty: everywhere.
     std::vector<drive::PlacedStiffness> places = {};
     std::vector<double>                 slopes = {}; ///< with places: ToothStrips::slopes()
+
+    /// What of these places' compliance is that of modes with inertia, m/N: it is not here.
+    std::array<double, 3> of_modes = {};
   };
 
   /// Strips of those @p rings of the @p outside, by number, which are so long [m] as @p lengths

@@ -25,7 +25,8 @@ enum class Effect
   elastic_rollers,
   elastic_sprocket, ///< decided for each sprocket
   tooth_compliance,
-  tooth_places, ///< which is larger higher up on a tooth
+  tooth_places,  ///< which is larger higher up on a tooth
+  tooth_inertia, ///< of the rims of rigid sprockets
   plate_bending,
   reduced_bodies,
   exact_joints, ///< roller and bush, bush and pin touch without penalty
@@ -48,7 +49,7 @@ enum class Effect
 namespace chaindrive::parameters
 {
 template <>
-inline constexpr Texts<model::Effect, 30> texts_of<model::Effect>{
+inline constexpr Texts<model::Effect, 31> texts_of<model::Effect>{
     {{model::Effect::roller_bush_clearance, "roller-bush clearance"},
      {model::Effect::bush_pin_clearance, "bush-pin clearance"},
      {model::Effect::chain_bars, "chain bars"},
@@ -63,6 +64,7 @@ inline constexpr Texts<model::Effect, 30> texts_of<model::Effect>{
      {model::Effect::elastic_sprocket, "elastic"},
      {model::Effect::tooth_compliance, "tooth compliance"},
      {model::Effect::tooth_places, "tooth compliance over place"},
+     {model::Effect::tooth_inertia, "tooth inertia"},
      {model::Effect::plate_bending, "plate bending"},
      {model::Effect::reduced_bodies, "reduced bodies"},
      {model::Effect::exact_joints, "joints without penalty"},

@@ -10,4 +10,8 @@ namespace chaindrive::model
 /// their @p compliance and on contact without penalty, @p exact, are these.
 Decision
 tooth_places(const Parameters &parameters, const Decision &compliance, const Decision &exact);
+
+/// Whether the rims of these sprockets have inertia, where the decision on stiffness over place is
+/// @p places.
+Decision tooth_inertia(const Parameters &parameters, const Decision &places);
 } // namespace chaindrive::model

@@ -57,6 +57,7 @@ struct Effects
   Switch plate_bending    = Switch::automatic; ///< automatic: on in elastic links
   Switch tooth_compliance = Switch::automatic; ///< automatic: on under reduced rollers
   Switch tooth_places     = Switch::automatic; ///< automatic: on where they are known
+  Switch tooth_inertia    = Switch::automatic; ///< automatic: off
   Switch planar_motion    = Switch::automatic; ///< automatic: on where nothing leaves the plane
   Switch separate_strands = Switch::automatic; ///< automatic: on where wheels are out of line
   Switch oval_rollers     = Switch::automatic; ///< automatic: off

@@ -29,6 +29,11 @@ namespace chaindrive::path
 class Curve;
 }
 
+namespace chaindrive::reduction
+{
+struct RimModes;
+}
+
 namespace chaindrive::contact
 {
 class Surface;
@@ -200,6 +205,13 @@ struct ToothSideFamily
   double       z      = 0.; ///< of the middle plane of these teeth in the sprocket's frame, m
 };
 
+/// The toothed rim of a sprocket that has inertia: from a rigid hub to the teeth.
+struct InertRim
+{
+  double bore, hub_diameter, width; ///< of the sprocket or of the half that is computed, m
+  double modes_up_to;               ///< rad/s
+};
+
 /// The flanks of one sprocket and every roller that could ever meet them.
 struct ToothFamily
 {
@@ -220,6 +232,10 @@ struct ToothFamily
   double loaded_half_angle = 0.; ///< of the contact in the seat where it is that, rad
   /// The same at places of the seat, of contact without penalty; empty: it is that everywhere.
   std::vector<drive::PlacedStiffness> tooth_places = {};
+  /// Of contact without penalty, with places: a rim with inertia, and its modes, which are part of
+  /// what these places deflect. Who builds a system finds the modes of the rims of a scene.
+  std::optional<InertRim>                    inert_rim = {};
+  std::shared_ptr<const reduction::RimModes> rim_modes = {};
   double half_angle = right_angle; ///< up to which round slaves touch under the largest forces, rad
   double half_line  = right_angle; ///< and on a straight flank, rad
   double sticking_stiffness = 0.;  ///< of friction on a roller without penalty, N/m

@@ -41,6 +41,10 @@ struct Hold
   Matrix              across; ///< by the springs of friction of the nodes of one window
   const ClosedWindow *nodes     = nullptr; ///< that window
   double              stiffness = 0.;
+  /// The same times the mobility of a rim with inertia on which strips are, 1/s2: the largest
+  /// eigenvalue of K^1/2 (B B^T) K^1/2, B being what its modes move strips by. All gaps together,
+  /// closed alike, that is the largest of all numbers of waves round the rim.
+  double of_rim = 0.;
 
   Matrix all() const
   {

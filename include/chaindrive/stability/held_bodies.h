@@ -4,12 +4,47 @@
 #include <chaindrive/stability/closed_ways.h>
 #include <chaindrive/stability/coupled_modes.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
 
 namespace chaindrive::stability
 {
+/// What moves on the other side of strips, all modal bodies being at rest: rigid bodies and the
+/// modes of their rims. With the mobility B M^-1 B^T and the largest stiffness K of strips, g is
+/// the largest eigenvalue of K^1/2 (B M^-1 B^T) K^1/2, and w the highest frequency of these modes
+/// by themselves. Together with bodies that have the square L with these at rest the square is at
+/// most the largest eigenvalue of
+///
+///   ( L           sqrt(L g) )
+///   ( sqrt(L g)   w^2 + g   ),
+///
+/// which is L + g where w is zero.
+struct Others
+{
+  double square    = 0.; ///< g, 1/s2
+  double frequency = 0.; ///< w, rad/s
+
+  void update_largest(const Others &other)
+  {
+    square    = std::max(square, other.square);
+    frequency = std::max(frequency, other.frequency);
+  }
+
+  /// The limit, s, with these of bodies that have the limit @p step without.
+  double with(const double step) const
+  {
+    const double l = 4. / (step * step);
+    if (!(frequency > 0.))
+      return 2. / std::sqrt(l + square);
+    const double mean = 0.5 * (l + frequency * frequency + square),
+                 half = 0.5 * (l - frequency * frequency - square);
+    return 2. / std::sqrt(mean + std::sqrt(half * half + l * square));
+  }
+};
+
 /// Bodies that are judged together, with all that holds them.
 class HeldBodies
 {
@@ -59,8 +94,8 @@ public:
   /// Springs of contacts with a penalty, by surface.
   const std::map<unsigned int, ModalBodies::Side> &springs() const { return springs_; }
 
-  /// Squared frequency of the rigid bodies that strips meet, 1/s2.
-  double of_others() const { return of_others_; }
+  /// What strips meet.
+  const Others &of_others() const { return of_others_; }
 
 private:
   /// Of ways that differ by one side the worst is chosen until none is worse.
@@ -78,7 +113,7 @@ private:
   std::vector<std::vector<Matrix>>          held_;      ///< by these, 1/s2
   std::vector<unsigned int>                 last_;      ///< the way found last
   std::map<unsigned int, ModalBodies::Side> springs_;
-  double                                    of_others_ = 0.; ///< see of_others()
+  Others                                    of_others_; ///< see of_others()
 };
 
 /// A link with a ring on each cylinder that has one: none of their joints is taken apart. The ring
@@ -145,6 +180,6 @@ private:
   std::vector<unsigned int> of_link_;
   std::vector<Side>         sides_;
   std::map<unsigned int, ModalBodies::Side> springs_;
-  double                                    of_others_ = 0.; ///< see HeldBody
+  Others                                    of_others_; ///< see HeldBody
 };
 } // namespace chaindrive::stability

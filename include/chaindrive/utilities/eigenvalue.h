@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 
 namespace chaindrive
 {
@@ -24,6 +25,7 @@ struct Eigenpairs
   dealii::FullMatrix<double> vectors;
 };
 
-/// All of the symmetric @p matrix, by LAPACK.
-Eigenpairs eigenpairs(const dealii::FullMatrix<double> &matrix);
+/// All of the symmetric @p matrix, by LAPACK, or those with values up to @p up_to.
+Eigenpairs eigenpairs(const dealii::FullMatrix<double> &matrix,
+                      double up_to = std::numeric_limits<double>::infinity());
 } // namespace chaindrive
