@@ -42,7 +42,7 @@ void for_each_lane(World &world, const std::size_t first, const Use &use)
 }
 
 /// The bodies from number @p first on; lanes beyond the last one have what they had.
-void take(World &world, const std::size_t first, Turning &bodies)
+void load_lanes(World &world, const std::size_t first, Turning &bodies)
 {
   for_each_lane(
       world, first, [&](const unsigned int lane, const auto &rotation, const auto &frame) {
@@ -121,7 +121,7 @@ void RigidBodies::drift(World &world, const Step &step)
   Turning bodies = at_rest();
   for (std::size_t first = 0; first < world.rotations.size(); first += n_lanes)
     {
-      take(world, first, bodies);
+      load_lanes(world, first, bodies);
       if (!turn(bodies, step.dt))
         for_each_lane(world, first, [&](unsigned int, auto &rotation, auto &frame) {
           turn(rotation, frame, step.dt);
@@ -144,7 +144,7 @@ void RigidBodies::finish(World &world, const Step & /*step*/)
   Turning bodies = at_rest();
   for (std::size_t first = 0; first < world.rotations.size(); first += n_lanes)
     {
-      take(world, first, bodies);
+      load_lanes(world, first, bodies);
       find_angular_velocity(bodies);
       for_each_lane(world, first, [&](const unsigned int lane, auto &, auto &frame) {
         give_angular_velocity(bodies, lane, frame);

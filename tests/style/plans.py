@@ -15,13 +15,17 @@ def refused(which, paths, stiffness_from):
     """Those that it does not plan, with what it says."""
     said = {}
     for path in paths:
+        text = (style.ROOT / path).read_text()
+        settings = ["--set", f"Model/Stiffness from={stiffness_from}"]
+        if stiffness_from == "dimensions" and "Tooth inertia" in text:  # which parts alone know
+            settings += ["--set", "Effects/Tooth inertia=auto"]
         study = ["study", path, "--dry-run", "--set", "Study/Phases=1"]
         ways = [["plan", path]]
         if path.startswith("prm/studies/"):
-            quick = [[*study, "--quick"]] if "set Quick " in (style.ROOT / path).read_text() else []
+            quick = [[*study, "--quick"]] if "set Quick " in text else []
             ways = [study, *quick]
         for words in ways:
-            result = program.start([which, *words, "--set", f"Model/Stiffness from={stiffness_from}"], folder=style.ROOT)
+            result = program.start([which, *words, *settings], folder=style.ROOT)
             if result.returncode:
                 said[" ".join(words)] = result.stderr.strip()
     return said
