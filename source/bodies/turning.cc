@@ -60,8 +60,8 @@ turned(const double h, const P (&w)[3], const P (&q)[4], const bool normalize, P
     {
       const P length = P(1.) / square_root(now[0] * now[0] + now[1] * now[1] + now[2] * now[2] +
                                            now[3] * now[3]);
-      for (int i = 0; i < 4; ++i)
-        now[i] = now[i] * length;
+      for (P &part : now)
+        part = part * length;
     }
   return square;
 }

@@ -38,7 +38,7 @@ struct RimModes
     unsigned int first = 0;
     double       part  = 0.;
   };
-  Place place_at(double along) const; ///< the nearest one beyond the ends
+  Place place_at(double at) const; ///< m along the profile; the nearest one beyond the ends
 
   /// What forces [point][x, y] on one gap displace these points by along themselves, J per N2 of
   /// their unit, twice the energy of the modes.
