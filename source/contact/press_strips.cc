@@ -3,6 +3,7 @@
 #include <chaindrive/contact/roller_strips.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace chaindrive::contact
@@ -86,6 +87,8 @@ RollerStrips::Pressed RollerStrips::press(World &world, const unsigned int i)
           push(problem.unknown[a] / n_rings, on_strip);
         carry(strip, problem.unknown[a] % n_rings, force);
       }
+  roller.change  = std::abs(pressed.deepest - roller.deepest);
+  roller.deepest = pressed.deepest;
   if (!(pressed.sum > 0.))
     return pressed;
   pressed.force = roller.frame.in_world(on_roller);

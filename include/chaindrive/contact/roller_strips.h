@@ -11,6 +11,7 @@
 #include <chaindrive/scene/scene.h>
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -156,12 +157,14 @@ private:
   struct Roller
   {
     StripProblem          problem;
-    std::vector<Strip>    strips;   ///< near it, of the gap that its centre is nearest to
-    std::vector<Unknown>  unknowns; ///< of the problem
-    std::vector<Touching> touching; ///< what touched last, ascending
-    Touch                 touch;    ///< of its centre
-    GapFrame              frame;    ///< of that gap
-    TeethInMotion::Points teeth;    ///< by how much that is displaced; empty: no modes, m
+    std::vector<Strip>    strips;       ///< near it, of the gap that its centre is nearest to
+    std::vector<Unknown>  unknowns;     ///< of the problem
+    std::vector<Touching> touching;     ///< what touched last, ascending
+    double                deepest = 0.; ///< overlap then, and how it had changed, m
+    double                change  = std::numeric_limits<double>::max();
+    Touch                 touch; ///< of its centre
+    GapFrame              frame; ///< of that gap
+    TeethInMotion::Points teeth; ///< by how much that is displaced; empty: no modes, m
   };
 
   void find_own(unsigned int rank);
