@@ -223,8 +223,9 @@ class Documentation(unittest.TestCase):
 
 class Plans(unittest.TestCase):
     def test_a_program_that_refuses_is_noticed(self):
-        self.assertEqual(plans.refused("true", ["a.prm"], "parts"), {})
-        self.assertEqual(plans.refused("false", ["a.prm"], "parts"), {"plan a.prm": ""})
+        drive = "prm/paper/simple.prm"
+        self.assertEqual(plans.refused("true", [drive], "parts"), {})
+        self.assertEqual(plans.refused("false", [drive], "parts"), {f"plan {drive}": ""})
         study = "prm/studies/fidelity.prm"
         self.assertEqual(len(plans.refused("false", [study], "parts")), 2)  # and its quick form
 
