@@ -78,6 +78,7 @@ def draw(rng, fidelity, kinds=False):
         entries["Contact/Enforcement"] = "penalty"
     if fidelity == "exact":
         entries["Time/End time in ms"] = 0.3
+        entries["Effects/Tooth inertia"] = rng.choice(("auto", "on")) if entries["Effects/Tooth compliance"] != "off" else "auto"
     if fidelity == "full":
         for body in ("links", "rollers", "driver", "driven"):
             entries[f"Effects/Elastic {body}"] = rng.choice(("auto", "off"))
