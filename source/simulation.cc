@@ -61,21 +61,23 @@ void add_validity(files::Json &values)
 }
 
 /// The shift of one joint that lets it carry the force that it is placed for: Newton's method with
-/// a slope from secants as long as forces change a lot.
+/// a slope from secants, which changes by a factor of two at most, since neighbours are shifted at
+/// the same time. What is less than a twentieth of the prestress tells nothing of the slope.
 struct ShiftOfJoint
 {
-  double slope;                   ///< force over shift, N/m; at the beginning rather too large
+  double slope;                   ///< force over shift, N/m; at the beginning about right
   double force = 0., change = 0.; ///< found last, N; of the shift after that, m
   double most = 4. * slope, least = 0.15 * slope;
 
-  /// Corrects @p shift where @p is is found for @p wanted; @p much is a great force. Returns the
-  /// error. N.
-  double correct(const double is, const double wanted, const double much, double &shift)
+  /// Corrects @p shift where @p is is found for @p wanted, in a chain with this @p prestress.
+  /// Returns the error. N.
+  double correct(const double is, const double wanted, const double prestress, double &shift)
   {
     if (is == 0. && force == 0.) // not elastic, or nothing touches there
       return 0.;
-    if (change != 0. && std::abs(is - force) > much)
-      slope = std::clamp((is - force) / change, least, most);
+    const double secant = change != 0. ? (is - force) / change : 0.;
+    if (secant > 0. && std::abs(is - force) > 0.05 * prestress)
+      slope = std::clamp(secant, std::max(least, 0.5 * slope), std::min(most, 2. * slope));
     force  = is;
     change = (wanted - is) / slope;
     shift += change;
@@ -158,8 +160,8 @@ std::pair<drive::Drive, model::Model> decide(const Parameters               &par
   if (!parameters.model.capabilities().is_elastic || effects.is_on(model::Effect::start_up))
     return {drive, model};
   const std::size_t n = drive.layout.joints.size();
-  const double      seat_stiffness =
-      drive::line_contact_stiffness(drive.chain.roller_length, parameters.material);
+  const double      seat_stiffness = // roller and tooth deflect as well
+      0.4 * drive::line_contact_stiffness(drive.chain.roller_length, parameters.material);
   drive::JointShifts        shifts{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
   std::vector<ShiftOfJoint> pins(n, ShiftOfJoint{2. * drive.stiffness_per_pitch}),
       seats(n, ShiftOfJoint{seat_stiffness});
@@ -173,17 +175,17 @@ std::pair<drive::Drive, model::Model> decide(const Parameters               &par
       dynamics::Relaxation relaxation(scene, comm, 2e-3, critical_time_step);
       const auto           forces = relaxation.joint_forces();
       critical_time_step          = relaxation.critical_time_step();
-      const double much           = 0.2 * drive.layout.prestress;
+      const double prestress      = drive.layout.prestress;
       double       worst          = 0.;
       for (unsigned int k = 0; k < n; ++k)
         {
           const drive::Layout::Joint &joint = drive.layout.joints[k];
           worst =
               std::max({worst,
-                        pins[k].correct(forces.pin[k], joint.pin_force, much, shifts.pin[k]),
-                        seats[k].correct(forces.seat[k], joint.seat_force, much, shifts.seat[k])});
+                        pins[k].correct(forces.pin[k], joint.pin_force, prestress, shifts.pin[k]),
+                        seats[k].correct(forces.seat[k], joint.seat_force, prestress, shifts.seat[k])});
         }
-      if (worst < 0.03 * drive.layout.prestress)
+      if (worst < 0.03 * prestress)
         break;
       drive = drive::make_drive(parameters, stiffness, shifts);
     }

@@ -270,6 +270,14 @@ void Equilibrium::store() const
       span.normal[1] = -layout_.sense * span.direction[0];
     }
   set_links(layout_);
+  // Each pin of an outer link comes nearer to its bush by the shift of its own joint.
+  for (unsigned int k = 1; k < n_; k += 2)
+    {
+      Layout::Link &link  = layout_.links[k];
+      const double  along = 0.5 * (chain_.shifts.pin_of(k) - chain_.shifts.pin_of((k + 1) % n_));
+      link.centre[0] += along * std::cos(link.angle);
+      link.centre[1] += along * std::sin(link.angle);
+    }
 }
 
 double Equilibrium::length(const unsigned int k) const

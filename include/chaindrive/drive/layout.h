@@ -68,7 +68,7 @@ struct Layout
   /// The link from joint k to joint k + 1. Inner links have even numbers.
   struct Link
   {
-    dealii::Point<2> centre; ///< midway between its bushes
+    dealii::Point<2> centre; ///< midway between its bushes, but for JointShifts
     double           angle;  ///< of the direction from joint k to joint k + 1, rad
     bool             inner;
   };
