@@ -159,7 +159,7 @@ std::pair<drive::Drive, model::Model> decide(const Parameters               &par
   const model::Model model = model::make_model(parameters, drive, effects);
   if (!parameters.model.capabilities().is_elastic || effects.is_on(model::Effect::start_up))
     return {drive, model};
-  const std::size_t n = drive.layout.joints.size();
+  const std::size_t n              = drive.layout.joints.size();
   const double      seat_stiffness = // roller and tooth deflect as well
       0.4 * drive::line_contact_stiffness(drive.chain.roller_length, parameters.material);
   drive::JointShifts        shifts{std::vector<double>(n, 0.), std::vector<double>(n, 0.)};
@@ -180,10 +180,10 @@ std::pair<drive::Drive, model::Model> decide(const Parameters               &par
       for (unsigned int k = 0; k < n; ++k)
         {
           const drive::Layout::Joint &joint = drive.layout.joints[k];
-          worst =
-              std::max({worst,
-                        pins[k].correct(forces.pin[k], joint.pin_force, prestress, shifts.pin[k]),
-                        seats[k].correct(forces.seat[k], joint.seat_force, prestress, shifts.seat[k])});
+          worst                             = std::max(
+              {worst,
+                                           pins[k].correct(forces.pin[k], joint.pin_force, prestress, shifts.pin[k]),
+                                           seats[k].correct(forces.seat[k], joint.seat_force, prestress, shifts.seat[k])});
         }
       if (worst < 0.03 * prestress)
         break;
