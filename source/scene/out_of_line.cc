@@ -208,6 +208,15 @@ struct Overlap
   double askew  = 0.; ///< ends of pins, bushes and rollers are so far aside
 };
 
+/// How far link @p k lies off the middle between its bushes, towards the second one, m.
+double off_the_middle(const drive::Layout &layout, const unsigned int k)
+{
+  const dealii::Point<2> &from   = layout.joints[k].bush,
+                         &to     = layout.joints[(k + 1) % layout.joints.size()].bush;
+  const dealii::Tensor<1, 2> off = layout.links[k].centre - (from + 0.5 * (to - from));
+  return off * (to - from) / to.distance(from);
+}
+
 /// Places the strand of @p view, whose joints have gone to @p place.
 void move_strand(const drive::Drive       &drive,
                  const std::vector<Place> &place,
@@ -235,8 +244,10 @@ void move_strand(const drive::Drive       &drive,
       const unsigned int next = view.next(k);
       Body              &body = scene.bodies[view.links[k]];
       // an outer link of several strands is one body
-      const double z = body.strand > 0 ? view.z : 0.;
-      body.initial   = frame_of_link(bush(k, z), bush(next, z), place[k], place[next]);
+      const double  z    = body.strand > 0 ? view.z : 0.;
+      const Tensor3 from = bush(k, z), to = bush(next, z);
+      body.initial = frame_of_link(from, to, place[k], place[next]);
+      body.initial.position += off_the_middle(layout, k) / (to - from).norm() * (to - from);
       overlap.strain = std::max(overlap.strain,
                                 std::abs((bush(next, view.z) - bush(k, view.z)).norm() -
                                          layout.joints[next].bush.distance(layout.joints[k].bush)));
