@@ -4,7 +4,7 @@
   static    At rest the side force is that of the stretched chain as a beam: elastic plates are bars at the distance l/2 from the middle,
             so that with k per pitch its bending stiffness is k p l^2 / 4, with the mean of l^2 of inner and outer links. Its deflection is
             a + b x + c cosh(x / lambda) + d sinh(x / lambda), and the side force T b; plates on teeth carry it
-  alike     With a small offset reduced chains with a penalty are as full ones, and with exact joints not far: tension and side forces;
+  alike     With a small offset reduced chains with a penalty are as full ones, and with exact joints not far: tension and side forces; full has the load's tension;
             energy and momentum balance, no contact is missed
   line      All wheels offset by the same: as in line with plate faces, and plates touch no teeth
   mirrored  An offset against the other one: the mirror image
@@ -45,6 +45,7 @@ DRIVE = {
     "Output/Window start in ms": 0,
 }
 OFFSET, TILT = ("Drive/Wheels/driven/" + name for name in ("Axial offset in mm", "Tilt in degrees"))
+LOAD = 20 * 2 * math.sin(math.pi / 9) / 12.7e-3  # tension that the torque needs at the pitch radius of nine teeth, N
 REDUCED, FULL = ({"Model/Fidelity": name} for name in ("reduced", "full"))
 
 
@@ -116,12 +117,18 @@ def alike():
         below("energy imbalance", summary["energy_imbalance_max"], 3e-4)
         below("momentum imbalance", summary["momentum_imbalance_max"], 1e-9)
         check(summary["contacts_missed"] == 0, f"{summary['contacts_missed']} contacts missed")
-    for name, (tension, force, largest) in results.items():
-        strict = name == "penalty"
-        near(f"tension, {name} over full", tension / results["full"][0], 1, 0.01 if strict else 0.05)
-        near(f"side force, {name} over full", force / results["full"][1], 1, 0.03 if strict else 0.1)
-        if strict:  # the largest is one instant, other contacts have others
-            near(f"largest side force, {name} over full", largest / results["full"][2], 1, 0.08)
+    # From its start on the side force rings about its mean, here between -50 and 110 N: means are compared in terms of the largest.
+    # Exact joints let go of more of what pins are askew at the start, and of a tenth of the tension with it.
+    tension, force, largest = results.pop("full")
+    near("tension, full, over that of the load", tension / LOAD, 1, 0.02)
+    for name, (tension_of_one, force_of_one, largest_of_one) in results.items():
+        if name == "penalty":
+            near("tension, penalty over full", tension_of_one / tension, 1, 0.01)
+            below("side force off full, penalty, of the largest", abs(force_of_one - force) / largest, 0.03)
+            near("largest side force, penalty over full", largest_of_one / largest, 1, 0.08)
+        else:  # the largest is one instant, other contacts have others
+            near(f"tension, {name} over full", tension_of_one / tension, 1, 0.1)
+            near(f"side force over tension, {name} over full", force_of_one / tension_of_one / (force / tension), 1, 0.1)
 
 
 def line():
