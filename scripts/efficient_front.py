@@ -43,16 +43,16 @@ def draw(axis, output, variants):
     axis.plot([cpu for cpu, _, _ in front], [error for _, error, _ in front], color="C3", linewidth=1)
     beside = 0.0  # the last label of those at the right, which would cover each other
     for name, (cpu, error, low, high) in sorted(variants.items(), key=lambda item: abs(item[1][1])):
-        at_right = cpu > 0.5
+        shown, at_right = max(abs(error), 0.01), cpu > 0.5
         if at_right:
-            beside = max(abs(error), 0.01, 1.6 * beside)
-        axis.annotate(name, (cpu, beside if at_right else max(abs(error), 0.01)), xytext=(-5 if at_right else 4, 3), ha="right" if at_right else "left",
+            beside = max(shown, 1.6 * beside)
+        axis.annotate(name, (cpu, beside if at_right else shown), xytext=(-5 if at_right else 4, 3), ha="right" if at_right else "left",
                       textcoords="offset points", fontsize=7)
         # The interval of a magnitude: it begins at zero when that lies within.
         ends = (0.01 if low * high <= 0 else min(abs(low), abs(high))), max(abs(low), abs(high), 0.01)
         colour = "C3" if any(name == other for _, _, other in front) else "0.4"
         axis.plot([cpu, cpu], ends, color=colour, linewidth=1, alpha=0.5)
-        axis.plot(cpu, max(abs(error), 0.01), "o", color=colour, markersize=5)
+        axis.plot(cpu, shown, "o", color=colour, markersize=5)
     axis.set(xscale="log", yscale="log", ylim=(0.008, 200), xlim=(0.0015, 5), title=output.replace("_", " "))
     axis.grid(alpha=0.3)
     return [name for _, _, name in front]

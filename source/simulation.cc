@@ -79,9 +79,11 @@ struct ShiftOfJoint
       return 0.;
     const double secant = change != 0. ? (is - force) / change : 0.;
     if (secant > 0. && std::abs(is - force) > 0.01 * prestress)
-      slope = std::exp2(0.25 * std::round(4. * std::log2(std::clamp(secant,
-                                                                    std::max(least, 0.5 * slope),
-                                                                    std::min(most, 2. * slope)))));
+      {
+        const double near =
+            std::clamp(secant, std::max(least, 0.5 * slope), std::min(most, 2. * slope));
+        slope = std::exp2(0.25 * std::round(4. * std::log2(near)));
+      }
     force  = is;
     change = (wanted - is) / slope;
     shift += change;
@@ -184,10 +186,11 @@ std::pair<drive::Drive, model::Model> decide(const Parameters               &par
       for (unsigned int k = 0; k < n; ++k)
         {
           const drive::Layout::Joint &joint = drive.layout.joints[k];
-          worst                             = std::max(
-              {worst,
-                                           pins[k].correct(forces.pin[k], joint.pin_force, prestress, shifts.pin[k]),
-                                           seats[k].correct(forces.seat[k], joint.seat_force, prestress, shifts.seat[k])});
+          const double                of_pin =
+              pins[k].correct(forces.pin[k], joint.pin_force, prestress, shifts.pin[k]);
+          const double of_seat =
+              seats[k].correct(forces.seat[k], joint.seat_force, prestress, shifts.seat[k]);
+          worst = std::max({worst, of_pin, of_seat});
         }
       if (worst < 0.03 * prestress)
         break;

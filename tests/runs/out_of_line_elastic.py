@@ -4,8 +4,8 @@
   static    At rest the side force is that of the stretched chain as a beam: elastic plates are bars at the distance l/2 from the middle,
             so that with k per pitch its bending stiffness is k p l^2 / 4, with the mean of l^2 of inner and outer links. Its deflection is
             a + b x + c cosh(x / lambda) + d sinh(x / lambda), and the side force T b; plates on teeth carry it
-  alike     With a small offset reduced chains with a penalty are as full ones, and with exact joints not far: tension and side forces; full has the load's tension;
-            energy and momentum balance, no contact is missed
+  alike     With a small offset reduced chains with a penalty are as full ones, and with exact joints not far: tension and side forces;
+            full has the load's tension; energy and momentum balance, no contact is missed
   line      All wheels offset by the same: as in line with plate faces, and plates touch no teeth
   mirrored  An offset against the other one: the mirror image
   resume    Goes on bit by bit while plates touch teeth, and is the same on two ranks up to round-off; resume-full: in full fidelity

@@ -17,7 +17,7 @@ SHORT = {
     "Loads/Driver speed in rad/s": 45, "Contact/Friction coefficient": 0, "Drive/Layout/Centre distance from": "slack",
     "Time/End time in ms": 0.02, "Output/Window start in ms": 0, "Output/History interval in us": 10, "Output/Field interval in ms": 0,
 }
-# worn, and taut: joints beside the tight span once had 2.2 and 0.5 times its tension, and what was corrected went to and fro
+# worn, and taut: forces at the pins of one link were once apart by half of the largest
 WORN = {**SHORT, "Drive/Chain/Designation": "08B", "Drive/Number of links": 34, "Drive/Driver teeth": 13, "Drive/Driven teeth": 17,
         "Drive/Chain/Elongation in percent": 1.5, "Drive/Layout/Start phase": 0.962, "Drive/Layout/Slack in mm": 0.03,
         "Loads/Resisting torque in N m": 49.76, "Model/Symmetry model": "false", "Effects/Tooth compliance": "off"}
