@@ -50,7 +50,7 @@ def draw(rng, fidelity, kinds=False):
         "Drive/Sprockets/Tooth form": rng.choice(("iso min", "iso mid", "iso max")),
         "Drive/Chain/Elongation in percent": rng.choice((0, 0, 0, 0.5, 1.5)),
         "Drive/Layout/Tight span": rng.choice(("upper", "lower")),
-        "Drive/Layout/Start phase": round(rng.random(), 3),
+        "Drive/Layout/Start phase": round(rng.random(), 3) % 1,
         "Drive/Layout/Start": rng.choice(("settled", "settled", "settled", "taut")),
         "Model/Fidelity": "reduced" if fidelity == "exact" else fidelity,
         "Model/Stiffness from": "dimensions",

@@ -273,10 +273,10 @@ void Equilibrium::store() const
   // Each pin of an outer link comes nearer to its bush by the shift of its own joint.
   for (unsigned int k = 1; k < n_; k += 2)
     {
-      Layout::Link &link  = layout_.links[k];
-      const double  along = 0.5 * (chain_.shifts.pin_of(k) - chain_.shifts.pin_of((k + 1) % n_));
-      link.centre[0] += along * std::cos(link.angle);
-      link.centre[1] += along * std::sin(link.angle);
+      Layout::Link &link = layout_.links[k];
+      link.ahead         = 0.5 * (chain_.shifts.pin_of(k) - chain_.shifts.pin_of((k + 1) % n_));
+      link.centre[0] += link.ahead * std::cos(link.angle);
+      link.centre[1] += link.ahead * std::sin(link.angle);
     }
 }
 

@@ -65,11 +65,30 @@ void for_each_node(World &world, const Visit &visit)
     }
 }
 
-/// The elastic bodies of a batch, which may not move as a whole.
+bool is_link(const scene::Kind kind)
+{
+  return kind == scene::Kind::inner_link || kind == scene::Kind::outer_link;
+}
+
+/// What turns of link @p body remain when it may lean across its plane and not turn otherwise: the
+/// part of @p turning along its second axis, about which pins that are askew lean it.
+Vector3 leaning(const scene::Body &body, const Vector3 &turning)
+{
+  Vector3 across;
+  for (unsigned int d = 0; d < 3; ++d)
+    across[d] = body.initial.rotation[d][1];
+  return (turning * across) * across;
+}
+
+/// Whether the links of @p scene may lean: where they have been laid in line and moved since.
+bool links_lean(const scene::Scene &scene) { return scene.start_overlap > 0.; }
+
+/// The links of a batch, which may not move as a whole, but may lean out of line.
 class HeldBatch
 {
 public:
-  HeldBatch(BodyBatches &copies, const unsigned int batch) : copies_(copies), batch_(batch)
+  HeldBatch(const scene::Scene &scene, BodyBatches &copies, const unsigned int batch)
+      : scene_(scene), copies_(copies), batch_(batch)
   {
     const NodeView position(std::as_const(copies_.position));
     for_each([&](const unsigned int lane, const std::size_t at, const double mass) {
@@ -101,10 +120,12 @@ public:
       spin[lane] += cross_product_3d(position[at] - centre_[lane], p);
     });
     std::array<Vector3, n_lanes> v, w;
-    copies_.for_each_copy_of(batch_, [&](unsigned int, const unsigned int lane) {
+    copies_.for_each_copy_of(batch_, [&](const unsigned int copy, const unsigned int lane) {
       v[lane] = momentum[lane] / copies_.mass;
       copies_.part->symmetry().cancel_across(v[lane]);
       w[lane] = inverse_inertia_[lane] * spin[lane];
+      if (links_lean(scene_))
+        w[lane] -= leaning(scene_.bodies[copies_.bodies[copy]], w[lane]);
     });
     for_each([&](const unsigned int lane, const std::size_t at, double) {
       velocity.add(at, -v[lane] - cross_product_3d(w[lane], position[at] - centre_[lane]));
@@ -122,6 +143,7 @@ private:
       });
   }
 
+  const scene::Scene                                &scene_;
   BodyBatches                                       &copies_;
   unsigned int                                       batch_;
   std::array<Vector3, n_lanes>                       centre_;
@@ -134,13 +156,12 @@ std::vector<HeldBatch> links_of(const scene::Scene &scene, World &world)
   std::vector<HeldBatch> links;
   for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
     {
-      BodyBatches      &copies = world.copies[g];
-      const scene::Kind kind   = scene.bodies[copies.bodies.front()].kind;
-      if (kind != scene::Kind::inner_link && kind != scene::Kind::outer_link)
+      BodyBatches &copies = world.copies[g];
+      if (!is_link(scene.bodies[copies.bodies.front()].kind))
         continue;
       for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
            ++batch)
-        links.emplace_back(copies, batch);
+        links.emplace_back(scene, copies, batch);
     }
   return links;
 }
@@ -180,7 +201,7 @@ double kinetic_energy(World &world)
 class ModalRelaxation
 {
 public:
-  ModalRelaxation(const scene::Scene &scene, World &world) : world_(world)
+  ModalRelaxation(const scene::Scene &scene, World &world) : scene_(scene), world_(world)
   {
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
@@ -271,17 +292,28 @@ private:
         group.slow_modes(world_, copy, share[copy]);
   }
 
-  /// Nothing moves the other bodies as a whole.
+  /// Nothing moves the other bodies as a whole, but links may lean.
   void constrain()
   {
     for (unsigned int b = 0; b < held_.size(); ++b)
-      for (unsigned int d = 0; d < 3 && held_[b]; ++d)
-        world_.force.local_element(3 * b + d) = world_.moment.local_element(3 * b + d) = 0.;
+      if (held_[b])
+        {
+          double *moment = world_.moment.begin() + 3 * b;
+          Vector3 left;
+          if (links_lean(scene_) && is_link(scene_.bodies[b].kind))
+            left = leaning(scene_.bodies[b], Vector3({moment[0], moment[1], moment[2]}));
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              world_.force.local_element(3 * b + d) = 0.;
+              moment[d]                             = left[d];
+            }
+        }
   }
 
-  World            &world_;
-  bool              has_modal_ = false;
-  std::vector<char> held_; ///< per body
+  const scene::Scene &scene_;
+  World              &world_;
+  bool                has_modal_ = false;
+  std::vector<char>   held_; ///< per body
 };
 } // namespace
 
@@ -297,9 +329,11 @@ Relaxation::Relaxation(const scene::Scene         &scene,
   const std::vector<HeldBatch> links = links_of(scene, world);
   ModalRelaxation              modal(scene, world);
 
-  constexpr unsigned int most  = 100; // intervals
-  const Material        &steel = scene.material;
-  const double           dt    = (modal.has_modal() ? 0.5 : 0.65) * critical_time_step_;
+  // links lean slowly: nothing but the tension keeps them from leaning all alike
+  const double           enough = links_lean(scene) ? std::min(change, 5e-5) : change;
+  constexpr unsigned int most   = 1000; // intervals
+  const Material        &steel  = scene.material;
+  const double           dt     = (modal.has_modal() ? 0.5 : 0.65) * critical_time_step_;
   const double           wave = scene.drive.pitch / std::sqrt(steel.youngs_modulus / steel.density);
   const unsigned int     steps  = static_cast<unsigned int>(5. * wave / dt) + 1;
   double                 before = 0., stored = 0.;
@@ -326,7 +360,7 @@ Relaxation::Relaxation(const scene::Scene         &scene,
           before = kinetic < before ? 0. : kinetic;
         }
       const double now = world.ledger.stored() - world.ledger.kinetic;
-      if (std::abs(now - stored) <= change * now)
+      if (std::abs(now - stored) <= enough * now)
         return;
       stored = now;
     }

@@ -208,15 +208,6 @@ struct Overlap
   double askew  = 0.; ///< ends of pins, bushes and rollers are so far aside
 };
 
-/// How far link @p k lies off the middle between its bushes, towards the second one, m.
-double off_the_middle(const drive::Layout &layout, const unsigned int k)
-{
-  const dealii::Point<2> &from   = layout.joints[k].bush,
-                         &to     = layout.joints[(k + 1) % layout.joints.size()].bush;
-  const dealii::Tensor<1, 2> off = layout.links[k].centre - (from + 0.5 * (to - from));
-  return off * (to - from) / to.distance(from);
-}
-
 /// Places the strand of @p view, whose joints have gone to @p place.
 void move_strand(const drive::Drive       &drive,
                  const std::vector<Place> &place,
@@ -247,7 +238,7 @@ void move_strand(const drive::Drive       &drive,
       const double  z    = body.strand > 0 ? view.z : 0.;
       const Tensor3 from = bush(k, z), to = bush(next, z);
       body.initial = frame_of_link(from, to, place[k], place[next]);
-      body.initial.position += off_the_middle(layout, k) / (to - from).norm() * (to - from);
+      body.initial.position += layout.links[k].ahead / (to - from).norm() * (to - from);
       overlap.strain = std::max(overlap.strain,
                                 std::abs((bush(next, view.z) - bush(k, view.z)).norm() -
                                          layout.joints[next].bush.distance(layout.joints[k].bush)));

@@ -4,8 +4,8 @@
   static    At rest the side force is that of the stretched chain as a beam: elastic plates are bars at the distance l/2 from the middle,
             so that with k per pitch its bending stiffness is k p l^2 / 4, with the mean of l^2 of inner and outer links. Its deflection is
             a + b x + c cosh(x / lambda) + d sinh(x / lambda), and the side force T b; plates on teeth carry it
-  alike     With a small offset reduced chains with a penalty are as full ones, and with exact joints not far: tension and side forces;
-            full has the load's tension; energy and momentum balance, no contact is missed
+  alike     Links of a settled start lean as their pins ask: the tension is that of the load and stays so, in all models with elastic links,
+            and side forces are small; energy and momentum balance, no contact is missed
   line      All wheels offset by the same: as in line with plate faces, and plates touch no teeth
   mirrored  An offset against the other one: the mirror image
   resume    Goes on bit by bit while plates touch teeth, and is the same on two ranks up to round-off; resume-full: in full fidelity
@@ -108,8 +108,10 @@ def alike():
         "penalty": {**REDUCED, "Contact/Enforcement": "penalty"},
         "exact joints": {**REDUCED, "Contact/Enforcement": "exact joints"},
         "exact": {**REDUCED, "Effects/Tooth compliance over place": "off"},  # as in full
+        "exact, twice as far": REDUCED,
     }.items():
-        histories, summary = run("alike", {**changes, OFFSET: 0.5, "Time/End time in ms": 0.3})
+        offset = 1 if name == "exact, twice as far" else 0.5
+        histories, summary = run("alike", {**changes, OFFSET: offset, "Time/End time in ms": 0.3})
         tension = histories["spans/driven_to_driver_tension"].mean()
         force = histories["hubs/driver_side_force"]
         results[name] = tension, force.mean(), np.abs(force).max()
@@ -117,18 +119,13 @@ def alike():
         below("energy imbalance", summary["energy_imbalance_max"], 3e-4)
         below("momentum imbalance", summary["momentum_imbalance_max"], 1e-9)
         check(summary["contacts_missed"] == 0, f"{summary['contacts_missed']} contacts missed")
-    # From its start on the side force rings about its mean, here between -50 and 110 N: means are compared in terms of the largest.
-    # Exact joints let go of more of what pins are askew at the start, and of a tenth of the tension with it.
-    tension, force, largest = results.pop("full")
-    near("tension, full, over that of the load", tension / LOAD, 1, 0.02)
-    for name, (tension_of_one, force_of_one, largest_of_one) in results.items():
-        if name == "penalty":
-            near("tension, penalty over full", tension_of_one / tension, 1, 0.01)
-            below("side force off full, penalty, of the largest", abs(force_of_one - force) / largest, 0.03)
-            near("largest side force, penalty over full", largest_of_one / largest, 1, 0.08)
-        else:  # the largest is one instant, other contacts have others
-            near(f"tension, {name} over full", tension_of_one / tension, 1, 0.1)
-            near(f"side force over tension, {name} over full", force_of_one / tension_of_one / (force / tension), 1, 0.1)
+        # Pins that are askew let the chain become longer where links do not lean at the start as they ask: by a tenth of the tension, and
+        # by half of it with twice the offset; and pull wheels aside by 4 % of it in the mean, where a string would by 0.5, and up to 10.
+        near(f"tension, {name}, over that of the load", tension / LOAD, 1, 0.04)
+        below(f"mean side force, {name}, of the tension", abs(force.mean()) / tension, 0.005)
+        below(f"largest side force, {name}, of the tension", results[name][2] / tension, 0.05)
+    near("tension, penalty over full", results["penalty"][0] / results["full"][0], 1, 0.01)
+    near("largest side force, penalty over full", results["penalty"][2] / results["full"][2], 1, 0.08)
 
 
 def line():
@@ -156,9 +153,9 @@ def mirrored():
 
 
 def resume(fidelity):
-    end, middle = 0.4, 0.28
+    end, middle = 0.3, 0.2
     # teeth nearly as wide as the plates let them be: these touch soon
-    entries = {**fidelity, OFFSET: 1, TILT: 0.5, "Drive/Sprockets/Width in mm": 7.7, "Time/End time in ms": end}
+    entries = {**fidelity, OFFSET: 1.5, TILT: 1, "Drive/Sprockets/Width in mm": 7.7, "Time/End time in ms": end}
     for directory in ("whole", "parts", "two"):
         shutil.rmtree(directory, ignore_errors=True)
     whole, _ = run("whole", entries)

@@ -68,9 +68,10 @@ struct Layout
   /// The link from joint k to joint k + 1. Inner links have even numbers.
   struct Link
   {
-    dealii::Point<2> centre; ///< midway between its bushes, but for JointShifts
-    double           angle;  ///< of the direction from joint k to joint k + 1, rad
+    dealii::Point<2> centre;
+    double           angle; ///< of the direction from joint k to joint k + 1, rad
     bool             inner;
+    double           ahead = 0.; ///< of the middle between its bushes, by JointShifts, m
   };
 
   int                   sense; ///< +1: counter-clockwise, -1: clockwise

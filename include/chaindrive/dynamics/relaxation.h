@@ -9,9 +9,10 @@ namespace chaindrive::dynamics
 {
 /// The strain of elastic bodies that are placed without strain where their surfaces overlap, in
 /// balance with the forces that they then exert on each other. Links keep their centres of mass and
-/// directions (inertia relief: what moves a body as a whole strains nothing), rims their hubs,
-/// rigid bodies their places; a roller finds its own between tooth and bush. So do reduced ones,
-/// whose modes relax.
+/// directions (inertia relief: what moves a body as a whole strains nothing), but where the chain
+/// is out of line they lean across its plane as their pins ask; rims keep their hubs, rigid bodies
+/// their places; a roller finds its own between tooth and bush. So do reduced ones, whose modes
+/// relax.
 ///
 /// The drive, at rest, unloaded and without friction, is a System of its own: internal and contact
 /// forces are those of the run. Dynamic relaxation with kinetic damping (Barnes, Int. J. Space
@@ -24,8 +25,9 @@ class Relaxation
 {
 public:
   /// Collective. It ends when the stored energy changes by less than the share @p change of itself
-  /// while waves run along a link five times. RunError if no balance is found. @p known: the
-  /// critical time step [s] of a scene that differs from this one in places of bodies only.
+  /// while waves run along a link five times, of 5e-5 where links lean, if that is less. RunError
+  /// if no balance is found. @p known: the critical time step [s] of a scene that differs from this
+  /// one in places of bodies only.
   Relaxation(const scene::Scene   &scene,
              MPI_Comm              comm,
              double                change = 2e-3,
