@@ -80,8 +80,13 @@ Vector3 leaning(const scene::Body &body, const Vector3 &turning)
   return (turning * across) * across;
 }
 
-/// Whether the links of @p scene may lean: where they have been laid in line and moved since.
-bool links_lean(const scene::Scene &scene) { return scene.start_overlap > 0.; }
+/// Whether the links of @p scene may lean: where they have been laid in line and moved since, and
+/// the chain runs, so that pins slide along their bushes. At rest friction holds them.
+bool links_lean(const scene::Scene &scene)
+{
+  return scene.start_overlap > 0. &&
+         scene.bodies[scene.drive.sprockets.front().body].initial.angular_velocity.norm() > 0.;
+}
 
 /// The links of a batch, which may not move as a whole, but may lean out of line.
 class HeldBatch

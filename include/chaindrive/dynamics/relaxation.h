@@ -9,10 +9,10 @@ namespace chaindrive::dynamics
 {
 /// The strain of elastic bodies that are placed without strain where their surfaces overlap, in
 /// balance with the forces that they then exert on each other. Links keep their centres of mass and
-/// directions (inertia relief: what moves a body as a whole strains nothing), but where the chain
-/// is out of line they lean across its plane as their pins ask; rims keep their hubs, rigid bodies
-/// their places; a roller finds its own between tooth and bush. So do reduced ones, whose modes
-/// relax.
+/// directions (inertia relief: what moves a body as a whole strains nothing), but those of a
+/// running chain out of line lean across its plane as their pins ask; rims keep their hubs, rigid
+/// bodies their places; a roller finds its own between tooth and bush. So do reduced ones, whose
+/// modes relax.
 ///
 /// The drive, at rest, unloaded and without friction, is a System of its own: internal and contact
 /// forces are those of the run. Dynamic relaxation with kinetic damping (Barnes, Int. J. Space
