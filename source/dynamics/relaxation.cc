@@ -70,30 +70,27 @@ bool is_link(const scene::Kind kind)
   return kind == scene::Kind::inner_link || kind == scene::Kind::outer_link;
 }
 
-/// What turns of link @p body remain when it may lean across its plane and not turn otherwise: the
-/// part of @p turning along its second axis, about which pins that are askew lean it.
-Vector3 leaning(const scene::Body &body, const Vector3 &turning)
+/// About which axes bodies of @p scene may turn as a whole, unit, or zero: links of a running chain
+/// that has been laid in line and moved since lean across its plane, about their second axis, as
+/// pins ask that slide along their bushes. At rest friction holds them.
+std::vector<Vector3> axes_of_lean(const scene::Scene &scene)
 {
-  Vector3 across;
-  for (unsigned int d = 0; d < 3; ++d)
-    across[d] = body.initial.rotation[d][1];
-  return (turning * across) * across;
+  std::vector<Vector3> axes(scene.bodies.size());
+  if (scene.start_overlap == 0. ||
+      scene.bodies[scene.drive.sprockets.front().body].initial.angular_velocity.norm() == 0.)
+    return axes;
+  for (unsigned int b = 0; b < axes.size(); ++b)
+    for (unsigned int d = 0; d < 3 && is_link(scene.bodies[b].kind); ++d)
+      axes[b][d] = scene.bodies[b].initial.rotation[d][1];
+  return axes;
 }
 
-/// Whether the links of @p scene may lean: where they have been laid in line and moved since, and
-/// the chain runs, so that pins slide along their bushes. At rest friction holds them.
-bool links_lean(const scene::Scene &scene)
-{
-  return scene.start_overlap > 0. &&
-         scene.bodies[scene.drive.sprockets.front().body].initial.angular_velocity.norm() > 0.;
-}
-
-/// The links of a batch, which may not move as a whole, but may lean out of line.
+/// The links of a batch, which may not move as a whole, but may lean about their @p axes.
 class HeldBatch
 {
 public:
-  HeldBatch(const scene::Scene &scene, BodyBatches &copies, const unsigned int batch)
-      : scene_(scene), copies_(copies), batch_(batch)
+  HeldBatch(const std::vector<Vector3> &axes, BodyBatches &copies, const unsigned int batch)
+      : axes_(axes), copies_(copies), batch_(batch)
   {
     const NodeView position(std::as_const(copies_.position));
     for_each([&](const unsigned int lane, const std::size_t at, const double mass) {
@@ -128,9 +125,9 @@ public:
     copies_.for_each_copy_of(batch_, [&](const unsigned int copy, const unsigned int lane) {
       v[lane] = momentum[lane] / copies_.mass;
       copies_.part->symmetry().cancel_across(v[lane]);
-      w[lane] = inverse_inertia_[lane] * spin[lane];
-      if (links_lean(scene_))
-        w[lane] -= leaning(scene_.bodies[copies_.bodies[copy]], w[lane]);
+      w[lane]             = inverse_inertia_[lane] * spin[lane];
+      const Vector3 &axis = axes_[copies_.bodies[copy]];
+      w[lane] -= (w[lane] * axis) * axis;
     });
     for_each([&](const unsigned int lane, const std::size_t at, double) {
       velocity.add(at, -v[lane] - cross_product_3d(w[lane], position[at] - centre_[lane]));
@@ -148,7 +145,7 @@ private:
       });
   }
 
-  const scene::Scene                                &scene_;
+  const std::vector<Vector3>                        &axes_; ///< per body
   BodyBatches                                       &copies_;
   unsigned int                                       batch_;
   std::array<Vector3, n_lanes>                       centre_;
@@ -156,7 +153,8 @@ private:
 };
 
 /// All links of @p world that move by nodes and that this rank owns.
-std::vector<HeldBatch> links_of(const scene::Scene &scene, World &world)
+std::vector<HeldBatch>
+links_of(const scene::Scene &scene, const std::vector<Vector3> &axes, World &world)
 {
   std::vector<HeldBatch> links;
   for (unsigned int g = 0; g < world.n_nodal_groups(); ++g)
@@ -166,7 +164,7 @@ std::vector<HeldBatch> links_of(const scene::Scene &scene, World &world)
         continue;
       for (unsigned int batch = copies.first_owned_batch(); batch < copies.end_of_owned_batches();
            ++batch)
-        links.emplace_back(scene, copies, batch);
+        links.emplace_back(axes, copies, batch);
     }
   return links;
 }
@@ -206,7 +204,8 @@ double kinetic_energy(World &world)
 class ModalRelaxation
 {
 public:
-  ModalRelaxation(const scene::Scene &scene, World &world) : scene_(scene), world_(world)
+  ModalRelaxation(const scene::Scene &scene, const std::vector<Vector3> &axes, World &world)
+      : axes_(axes), world_(world)
   {
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
@@ -303,10 +302,8 @@ private:
     for (unsigned int b = 0; b < held_.size(); ++b)
       if (held_[b])
         {
-          double *moment = world_.moment.begin() + 3 * b;
-          Vector3 left;
-          if (links_lean(scene_) && is_link(scene_.bodies[b].kind))
-            left = leaning(scene_.bodies[b], Vector3({moment[0], moment[1], moment[2]}));
+          double       *moment = world_.moment.begin() + 3 * b;
+          const Vector3 left   = (Vector3({moment[0], moment[1], moment[2]}) * axes_[b]) * axes_[b];
           for (unsigned int d = 0; d < 3; ++d)
             {
               world_.force.local_element(3 * b + d) = 0.;
@@ -315,10 +312,10 @@ private:
         }
   }
 
-  const scene::Scene &scene_;
-  World              &world_;
-  bool                has_modal_ = false;
-  std::vector<char>   held_; ///< per body
+  const std::vector<Vector3> &axes_; ///< per body
+  World                      &world_;
+  bool                        has_modal_ = false;
+  std::vector<char>           held_; ///< per body
 };
 } // namespace
 
@@ -331,17 +328,20 @@ Relaxation::Relaxation(const scene::Scene         &scene,
     , critical_time_step_(known ? *known : system_.critical_time_step())
 {
   World                       &world = system_.world;
-  const std::vector<HeldBatch> links = links_of(scene, world);
-  ModalRelaxation              modal(scene, world);
+  const std::vector<Vector3>   axes  = axes_of_lean(scene);
+  const std::vector<HeldBatch> links = links_of(scene, axes, world);
+  ModalRelaxation              modal(scene, axes, world);
 
   // links lean slowly: nothing but the tension keeps them from leaning all alike
-  const double           enough = links_lean(scene) ? std::min(change, 5e-5) : change;
-  constexpr unsigned int most   = 1000; // intervals
-  const Material        &steel  = scene.material;
-  const double           dt     = (modal.has_modal() ? 0.5 : 0.65) * critical_time_step_;
-  const double           wave = scene.drive.pitch / std::sqrt(steel.youngs_modulus / steel.density);
-  const unsigned int     steps  = static_cast<unsigned int>(5. * wave / dt) + 1;
-  double                 before = 0., stored = 0.;
+  const bool lean =
+      std::any_of(axes.begin(), axes.end(), [](const Vector3 &a) { return a != Vector3(); });
+  const double       enough = lean ? std::min(change, 5e-5) : change;
+  const unsigned int most   = lean ? 1000 : 100; // intervals
+  const Material    &steel  = scene.material;
+  const double       dt     = (modal.has_modal() ? 0.5 : 0.65) * critical_time_step_;
+  const double       wave   = scene.drive.pitch / std::sqrt(steel.youngs_modulus / steel.density);
+  const unsigned int steps  = static_cast<unsigned int>(5. * wave / dt) + 1;
+  double             before = 0., stored = 0.;
   for (unsigned int interval = 0; interval < most; ++interval)
     {
       for (unsigned int i = 0; i < steps; ++i)
